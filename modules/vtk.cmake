@@ -43,20 +43,29 @@ if(BOLE_PYTHON)
     COMPONENT python
     INSTALL_HEADERS OFF)
 
-  # bole/__init__.py brings the classes of all modules together.
-  set(bole_python_imports "")
-  foreach(module IN LISTS bole_vtk_modules)
-    string(REPLACE "Bole::" "" name ${module})
-    string(APPEND bole_python_imports "from .${name} import *\n")
-  endforeach()
-  set(installed_init ${CMAKE_BINARY_DIR}/generated/installed/__init__.py)
+  # The package is app/python/bole and what the build knows: _build.py, once for the build and once for an installation.
+  list(TRANSFORM bole_vtk_modules REPLACE "^Bole::(.*)$" "\"\\1\"" OUTPUT_VARIABLE bole_python_modules)
+  string(REPLACE ";" ", " bole_python_modules "${bole_python_modules}")
+  execute_process(
+    COMMAND ${Python3_EXECUTABLE} -c "import vtkmodules, pathlib; print(pathlib.Path(vtkmodules.__file__).resolve().parents[1])"
+    OUTPUT_VARIABLE bole_vtk_folder OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  set(package_source ${CMAKE_SOURCE_DIR}/app/python/bole)
+  set(package ${BOLE_PYTHON_DIR}/bole)
+  set(installed_build ${CMAKE_BINARY_DIR}/generated/installed/_build.py)
   set(bole_libraries ${BOLE_LIBRARIES_FROM_PYTHON})
   set(bole_engine ${BOLE_ENGINE_FROM_PYTHON})
-  configure_file(${CMAKE_SOURCE_DIR}/resources/cmake/bole_init.py.in ${installed_init} @ONLY)
-  install(FILES ${installed_init} DESTINATION ${BOLE_INSTALL_PYTHON_DIR}/bole COMPONENT python)
-  file(RELATIVE_PATH bole_libraries ${BOLE_PYTHON_DIR}/bole ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
+  set(bole_program ${BOLE_PROGRAM_FROM_PYTHON})
+  configure_file(${package_source}/_build.py.in ${installed_build} @ONLY)
+  file(GLOB package_files CONFIGURE_DEPENDS ${package_source}/*.py)
+  install(FILES ${package_files} ${installed_build} DESTINATION ${BOLE_INSTALL_PYTHON_DIR}/bole COMPONENT python)
+  file(RELATIVE_PATH bole_libraries ${package} ${CMAKE_LIBRARY_OUTPUT_DIRECTORY})
+  file(RELATIVE_PATH bole_program ${package} ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/bole)
   set(bole_engine ${CMAKE_SOURCE_DIR}/app/python)
-  configure_file(${CMAKE_SOURCE_DIR}/resources/cmake/bole_init.py.in ${BOLE_PYTHON_DIR}/bole/__init__.py @ONLY)
+  configure_file(${package_source}/_build.py.in ${package}/_build.py @ONLY)
+  foreach(file IN LISTS package_files) # links: what is edited there is what runs
+    get_filename_component(name ${file} NAME)
+    file(CREATE_LINK ${file} ${package}/${name} SYMBOLIC)
+  endforeach()
   # PYTHONPATH=build/headless/lib/python is short to type.
   if(IS_DIRECTORY ${CMAKE_BINARY_DIR}/lib/python AND NOT IS_SYMLINK ${CMAKE_BINARY_DIR}/lib/python)
     file(REMOVE_RECURSE ${CMAKE_BINARY_DIR}/lib/python) # of a build before this layout: its modules would be taken for current ones

@@ -27,6 +27,7 @@ namespace finding_code {
 inline constexpr const char* finished_early = "finished_early";
 inline constexpr const char* output_not_written = "output_not_written";  // the run fails: exit code 1
 inline constexpr const char* input_incomplete = "input_incomplete";      // likewise, unless it is accepted
+inline constexpr const char* input_not_usable = "input_not_usable";      // an output has no fit input: exit code 2
 }  // namespace finding_code
 
 bool has_finding(const Report& report, std::string_view code);

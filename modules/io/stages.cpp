@@ -120,6 +120,16 @@ pipeline::StageType read_scan() {
   return type;
 }
 
+pipeline::StageResult cloud_result(SeenCloud seen) {
+  pipeline::StageResult result;
+  auto& reading = seen.reading;
+  if (auto advice = memory_advice(reading.cloud.size(), available_memory_bytes()); !advice.empty())
+    reading.report.warn(std::move(advice));
+  result.outputs.set("points", std::move(reading.cloud));
+  result.report = std::move(reading.report);
+  return result;
+}
+
 pipeline::StageType read_cloud_stage() {
   static const std::string help = file_help("Point cloud", FileContent::cloud);
   static const OptionTable table = with_path<ReadCloudOptions, SeeCloudOptions>("file", &ReadCloudOptions::file, help);
@@ -139,15 +149,23 @@ pipeline::StageType read_cloud_stage() {
   type.options = &table;
   type.run = [](const DataSet&, const OptionSet& options, const Run& run) {
     const auto& o = options.as<ReadCloudOptions>();
-    pipeline::StageResult result;
-    auto reading = see_cloud(o.file, o, run).reading;
-    if (auto advice = memory_advice(reading.cloud.size(), available_memory_bytes()); !advice.empty())
-      reading.report.warn(std::move(advice));
-    result.outputs.set("points", std::move(reading.cloud));
-    result.report = std::move(reading.report);
-    return result;
+    return cloud_result(see_cloud(o.file, o, run));
+  };
+  type.take = [](const Data& given, const OptionSet& options, const Run& run) {
+    const auto& cloud = *std::get<std::shared_ptr<const PointCloud>>(given);
+    return cloud_result(see_cloud(cloud, options.as<ReadCloudOptions>(), run));
   };
   return type;
+}
+
+pipeline::StageResult table_result(Table table) {
+  pipeline::StageResult result;
+  result.report.counts["rows"] = static_cast<std::int64_t>(table.rows());
+  result.report.counts["columns"] = static_cast<std::int64_t>(table.columns().size());
+  result.report.message =
+      std::to_string(table.rows()) + " rows, " + std::to_string(table.columns().size()) + " columns";
+  result.outputs.set("table", std::move(table));
+  return result;
 }
 
 pipeline::StageType read_table_stage() {
@@ -162,13 +180,11 @@ pipeline::StageType read_table_stage() {
   type.outputs = {{"table", DataKind::table, "The rows and columns of the file.", false, {}}};
   type.options = &table;
   type.run = [](const DataSet&, const OptionSet& options, const Run& run) {
-    pipeline::StageResult result;
-    auto read = read_table(options.as<ReadTableOptions>().file, run);
-    result.report.counts["rows"] = static_cast<std::int64_t>(read.rows());
-    result.report.counts["columns"] = static_cast<std::int64_t>(read.columns().size());
-    result.report.message =
-        std::to_string(read.rows()) + " rows, " + std::to_string(read.columns().size()) + " columns";
-    result.outputs.set("table", std::move(read));
+    return table_result(read_table(options.as<ReadTableOptions>().file, run));
+  };
+  type.take = [](const Data& given, const OptionSet&, const Run&) {
+    auto result = table_result(*std::get<std::shared_ptr<const Table>>(given));
+    result.report.message += ", given in memory";
     return result;
   };
   return type;

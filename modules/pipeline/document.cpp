@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "base/option_text.h"
 #include "base/core/path_list.h"
+#include "base/option_text.h"
 #include "base/user_path.h"
 #include "pipeline/skipped_stages.h"
 
@@ -98,7 +98,7 @@ StageNode parse_stage(const ordered_json& object, std::size_t number, const Stag
 }  // namespace
 
 bool StageNode::skipped() const {
-  if (!optional) return false;
+  if (!optional || from_memory) return false;
   return std::ranges::any_of(options.table().specs, [&](const OptionSpec& spec) {
     return spec.text_kind == TextKind::input_path && std::get<std::string>(options.get(spec.name)).empty();
   });

@@ -26,6 +26,8 @@ struct StageNode {
   bool optional =
       false;  // "optional": true - skipped while an input path of it is empty (a reference that is not there)
 
+  bool from_memory = false;  // the program that runs it gives its data (StageType::take): it needs no file
+
   bool skipped() const;
 };
 

@@ -32,18 +32,13 @@ void check_inputs(const StageType& type, const DataSet& inputs) {
   }
 }
 
-}  // namespace
-
-const Port* StageType::input(std::string_view port) const { return find_port(inputs, port); }
-const Port* StageType::output(std::string_view port) const { return find_port(outputs, port); }
-
-StageResult run_stage(const StageType& type, const DataSet& inputs, const OptionSet& options, const Run& run) {
+StageResult measured(const StageType& type, const OptionSet& options, const Run& run,
+                     const std::function<StageResult()>& work) {
   try {
     const auto start = std::chrono::steady_clock::now();
     options.check_all();
-    check_inputs(type, inputs);
     run.check_cancel();
-    StageResult result = type.run(inputs, options, run);
+    StageResult result = work();
     result.report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     result.report.peak_mib = peak_resident_mib();
     return result;
@@ -52,6 +47,29 @@ StageResult run_stage(const StageType& type, const DataSet& inputs, const Option
   } catch (const std::bad_alloc&) {
     throw failure("out of memory", "less data at once", "Crop or thin the cloud first").at(type.name);
   }
+}
+
+}  // namespace
+
+const Port* StageType::input(std::string_view port) const { return find_port(inputs, port); }
+const Port* StageType::output(std::string_view port) const { return find_port(outputs, port); }
+
+StageResult run_stage(const StageType& type, const DataSet& inputs, const OptionSet& options, const Run& run) {
+  return measured(type, options, run, [&] {
+    check_inputs(type, inputs);
+    return type.run(inputs, options, run);
+  });
+}
+
+StageResult take_data(const StageType& type, const Data& given, const OptionSet& options, const Run& run) {
+  return measured(type, options, run, [&] {
+    if (!type.take) throw bad_input("the stage takes no data from memory", "a file", "Set its option with the path");
+    const auto kind = type.outputs.front().kind;
+    if (data_kind(given) != kind)
+      throw bad_input("a " + std::string(data_kind_name(data_kind(given))) + " was given",
+                      "a " + std::string(data_kind_name(kind)));
+    return type.take(given, options, run);
+  });
 }
 
 StageRegistry& StageRegistry::global() {

@@ -32,7 +32,7 @@ struct StageResult {
 };
 
 struct StageType {
-  std::string name;    // "stems.fit": module, dot, verb or noun
+  std::string name;  // "stems.fit": module, dot, verb or noun
   // "vtkBoleFitStems": the class that the build writes for this stage, in C++ and Python. Stands right after the name,
   // as a literal: the build reads both from the registration (resources/cmake/BoleStageClasses.cmake).
   std::string vtk_class;
@@ -49,6 +49,9 @@ struct StageType {
   // The options with everything filled in that a run fills in ("as the preset says"); null: they are complete as given.
   std::function<OptionSet(const OptionSet& options)> in_force;
   std::function<StageResult(const DataSet& inputs, const OptionSet& options, const Run& run)> run;
+  // Of a reader: the same with data in memory (of the kind of its first output) in place of its file, which the options
+  // then need not name. Null: the stage takes none.
+  std::function<StageResult(const Data& given, const OptionSet& options, const Run& run)> take;
 
   const Port* input(std::string_view port) const;
   const Port* output(std::string_view port) const;
@@ -57,6 +60,9 @@ struct StageType {
 // Checks inputs against the declared ports (presence, kind, arrays, emptiness is the stage's own affair), checks the
 // options, runs, and fills in report.seconds and peak_mib. Errors get the stage's name in front.
 StageResult run_stage(const StageType& type, const DataSet& inputs, const OptionSet& options, const Run& run);
+
+// The same by StageType::take. Throws Error{bad_input} for a type that has none, and for data of another kind.
+StageResult take_data(const StageType& type, const Data& given, const OptionSet& options, const Run& run);
 
 class StageRegistry {
  public:

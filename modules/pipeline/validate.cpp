@@ -2,8 +2,8 @@
 
 #include "pipeline/document.h"
 
-#include "base/option_text.h"
 #include "base/core/path_list.h"
+#include "base/option_text.h"
 #include "pipeline/skipped_stages.h"
 
 namespace bole::pipeline {
@@ -104,7 +104,7 @@ void check_options(const StageNode& node, std::vector<Problem>& problems) {
           problems.push_back({node.id, "option " + spec.name + ": there is no file or folder '" + path + "'"});
     // The file of a reader is what it is for; other paths may stay empty.
     if (spec.text_kind == TextKind::input_path && option_text(value).empty() && node.type->inputs.empty() &&
-        spec.tier == Tier::basic)
+        spec.tier == Tier::basic && !node.from_memory)
       problems.push_back({node.id, "option " + spec.name + " is empty; needed: " + spec.help + " Give it with --set " +
                                        node.id + "." + spec.name + "=PATH"});
   }

@@ -12,20 +12,23 @@ ReportWriter::ReportWriter(const Run& run) : run_(run) {
     throw bad_input("there is no folder to write the report into", "an output folder", "Give --out DIR");
 }
 
-void ReportWriter::attempt(const std::string& what, const std::function<void()>& part) {
+void ReportWriter::guard(const std::string& what, const char* code_of_bad_input, const std::function<void()>& part) {
   run_.check_cancel();
+  const auto note = [&](const char* code, const char* why) {
+    report().find(Severity::refused, code, what + " could not be written: " + why);
+  };
   try {
     part();
   } catch (const Error& e) {
     if (e.kind() == ErrorKind::cancelled) throw;
-    note_unwritten(what, e.what());
+    note(e.kind() == ErrorKind::bad_input ? code_of_bad_input : finding_code::output_not_written, e.what());
   } catch (const std::exception& e) {
-    note_unwritten(what, e.what());
+    note(finding_code::output_not_written, e.what());
   }
 }
 
-void ReportWriter::note_unwritten(const std::string& what, const std::string& why) {
-  report().find(Severity::refused, finding_code::output_not_written, what + " could not be written: " + why);
+void ReportWriter::attempt(const std::string& what, const std::function<void()>& part) {
+  guard(what, finding_code::output_not_written, part);
 }
 
 bool ReportWriter::ends_early() {
@@ -35,7 +38,7 @@ bool ReportWriter::ends_early() {
 }
 
 void ReportWriter::write(const std::string& file, const std::function<void(const std::filesystem::path&)>& write) {
-  attempt(file, [&] {
+  guard(file, finding_code::input_not_usable, [&] {
     write(run_.output_dir / file);
     files_.push_back(file);
   });

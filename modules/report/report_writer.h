@@ -1,5 +1,5 @@
 // Writes the files of a report into the output folder of a run. What cannot be written becomes a finding
-// (output_not_written), which makes the run fail in the end; the other files are still written.
+// (output_not_written, input_not_usable), which makes the run fail in the end; the other files are still written.
 #pragma once
 
 #include <filesystem>
@@ -33,7 +33,8 @@ class ReportWriter {
 
   // Runs one part of the work. An error in it becomes a finding that begins with `what`; Error{cancelled} is thrown on.
   void attempt(const std::string& what, const std::function<void()>& part);
-  // attempt() with the path of a file in the output folder; the file is listed where `write` succeeds.
+  // attempt() with the path of a file in the output folder; the file is listed where `write` succeeds. An
+  // Error{bad_input} is the finding input_not_usable here: a table without a column is no fault of the disk.
   void write(const std::string& file, const std::function<void(const std::filesystem::path&)>& write);
   // Writes a figure as PNG, SVG and PDF into figures/.
   void save(const render::Figure& figure, const FigureOutput& output);
@@ -50,7 +51,7 @@ class ReportWriter {
 
  private:
   void put(const std::string& file, const std::string& bytes);
-  void note_unwritten(const std::string& what, const std::string& why);
+  void guard(const std::string& what, const char* code_of_bad_input, const std::function<void()>& part);
 
   const Run& run_;
   pipeline::StageResult result_;

@@ -1,5 +1,6 @@
 #include "vtkbridge/executor.h"
 
+#include <tbb/global_control.h>
 #include <vtkCallbackCommand.h>
 #include <vtkExecutive.h>
 #include <vtkNew.h>
@@ -12,9 +13,9 @@
 #include <set>
 
 #include "base/atomic_file.h"
+#include "base/core/path_list.h"
 #include "base/exit_codes.h"
 #include "base/option_text.h"
-#include "base/core/path_list.h"
 #include "pipeline/result_folder.h"
 #include "pipeline/skipped_stages.h"
 #include "vtkBoleStage.h"
@@ -103,7 +104,10 @@ std::string stamps_of_input(const OptionSet& options) {
 void note_unwritten_outputs(RunOutcome& outcome) {
   for (const auto& stage : outcome.stages)
     for (const auto& finding : stage.record.report.findings)
-      if (finding.code == finding_code::output_not_written) note_first_error(outcome, 1, finding.text);
+      if (finding.code == finding_code::output_not_written)
+        note_first_error(outcome, static_cast<int>(ExitCode::failed), finding.text);
+      else if (finding.code == finding_code::input_not_usable)
+        note_first_error(outcome, static_cast<int>(ExitCode::bad_input), finding.text);
 }
 
 // An input of which a part is missing ends the run, unless that was accepted.
@@ -195,6 +199,14 @@ void PipelineExecutor::set(std::string_view stage_and_option, std::string_view t
   document_.set(stage_and_option, text);
   const auto id = pipeline::parse_source(stage_and_option).id;
   stage(id)->SetOptions(document_.at(id).options);
+}
+
+void PipelineExecutor::take_data(std::string_view id, vtkDataObject* data) {
+  document_.at(id);  // throws where there is none
+  auto* const taker = stage(id);
+  if (!taker->TakeData(data)) throw bad_input("stage '" + std::string(id) + "': " + taker->GetErrorText());
+  const auto node = std::ranges::find(document_.stages(), id, &pipeline::StageNode::id);
+  node->from_memory = data != nullptr;
 }
 
 void PipelineExecutor::finish_running_stage() {
@@ -334,6 +346,9 @@ void PipelineExecutor::run_stages(const RunSettings& settings, RunOutcome& outco
 RunOutcome PipelineExecutor::run(const RunSettings& asked) {
   RunSettings settings = asked;
   settings.output_dir = whole_path(asked.output_dir);
+  std::optional<tbb::global_control> threads;
+  if (asked.threads > 0)
+    threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(asked.threads));
   const auto start = std::chrono::steady_clock::now();
   RunOutcome outcome;
   std::unique_ptr<pipeline::ResultFolder> results;

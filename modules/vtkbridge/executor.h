@@ -18,6 +18,7 @@
 #include "vtkBoleBridgeModule.h"
 
 class vtkBoleStage;
+class vtkDataObject;
 
 namespace bole::pipeline {
 class ResultFolder;
@@ -37,6 +38,7 @@ struct RunSettings {
   bool sinks = true;  // false: stages that write files (report) are left out, for a quick look after an edit
   std::uintmax_t cache_bytes = std::uintmax_t{20} << 30;  // results not used for longest go when the cache is larger
   std::filesystem::path scratch_dir;
+  int threads = 0;  // that work at the same time; 0: one per processor
   std::function<void(const std::string& stage, double fraction, std::string_view what)> progress;
   // Who watches a stage at work; may give null. Called as each stage begins.
   std::function<std::shared_ptr<Preview>(const pipeline::StageNode&)> preview;
@@ -82,6 +84,8 @@ class VTKBOLEBRIDGE_EXPORT PipelineExecutor {
   const pipeline::PipelineDocument& document() const { return document_; }
   // "stage.option" = text, in the document and in the stage object. Throws Error{bad_input}.
   void set(std::string_view stage_and_option, std::string_view text);
+  // A reader takes this data in place of its file. Throws Error{bad_input}.
+  void take_data(std::string_view id, vtkDataObject* data);
   vtkBoleStage* stage(std::string_view id) const;  // nullptr when there is none
 
   // Runs what is not up to date, checks the document first. Errors are in the outcome, none are thrown. Results and

@@ -3,8 +3,8 @@
 #include <spdlog/spdlog.h>
 
 #include "base/content_hash.h"
-#include "base/option_text.h"
 #include "base/core/path_list.h"
+#include "base/option_text.h"
 #include "base/verdict.h"
 #include "base/version.h"
 #include "cloud/large_cloud.h"
@@ -45,7 +45,9 @@ pipeline::StageResult run_now(const pipeline::StageType& type, const OptionSet& 
   DataSet data;
   for (const auto& [port, lazy] : inputs)
     if (lazy) data.set(port, lazy->get());
-  pipeline::StageResult result = pipeline::run_stage(type, data, options, run);
+  const auto given = data.all().find(given_port);
+  pipeline::StageResult result = given == data.all().end() ? pipeline::run_stage(type, data, options, run)
+                                                           : pipeline::take_data(type, given->second, options, run);
   lay_clouds_on_file(result, run);
   leave_memory(data), leave_memory(result.outputs);
   return result;
@@ -164,7 +166,8 @@ StageExecution execute_stage(const pipeline::StageType& type, const OptionSet& o
     if (!final_dir.empty()) move_paths(execution.files, run.output_dir, final_dir);
   }
   const bool whole = result.report.status != Status::finished_early && !run.asked_to_finish() &&
-                     !has_finding(result.report, finding_code::output_not_written);
+                     !has_finding(result.report, finding_code::output_not_written) &&
+                     !has_finding(result.report, finding_code::input_not_usable);
   for (const auto& [port, data] : result.outputs.all())
     execution.outputs[port] = std::make_shared<LazyData>(data, whole ? output_key(key, port) : std::string());
   if (cache && whole) {

@@ -13,6 +13,9 @@ namespace bole::vtkbridge {
 
 using PortData = std::map<std::string, std::shared_ptr<LazyData>>;
 
+// Where the data that a reader takes in place of its file stand among its inputs.
+inline constexpr const char* given_port = "(given)";
+
 struct StageExecution {
   PortData outputs;
   Report report;

@@ -99,8 +99,9 @@ void add_judgement(ordered_json& j, const Judgement& judgement) {
 
 Judgement judgement_of(const RunOutcome& outcome) {
   std::vector<StageRecord> records;
+  // A stage that failed because of what it found (an input that is not whole) says so by the code of the finding.
   for (const auto& stage : outcome.stages)
-    if (stage.state == StageState::done || stage.state == StageState::from_cache) records.push_back(stage.record);
+    if (stage.state != StageState::skipped && stage.state != StageState::cancelled) records.push_back(stage.record);
   auto judgement = judge(records);
   if (outcome.exit_code == 0) return judgement;
   judgement.verdict = Verdict::refused;

@@ -157,6 +157,21 @@ bool vtkBoleStage::ConnectInput(const char* port, vtkBoleStage* producer, const 
   });
 }
 
+bool vtkBoleStage::TakeData(vtkDataObject* data) {
+  return this->Inner->accepted(this, [&] {
+    const auto* type = this->Inner->type;
+    if (!type || !type->take)
+      throw bole::bad_input("the stage " + this->Inner->wanted_type + " takes no data from memory", "a file",
+                            "Set its option with the path");
+    const auto kind = type->outputs.front().kind;
+    auto known = data ? bole::vtkbridge::attached(data) : nullptr;
+    if (!known || known->kind() != kind)
+      known = data ? std::make_shared<bole::vtkbridge::LazyData>(bole::vtkbridge::core_from_vtk(data, kind)) : nullptr;
+    this->Inner->given = std::move(known);
+    this->Modified();
+  });
+}
+
 int vtkBoleStage::FillInputPortInformation(int port, vtkInformation* info) {
   const auto& declared = this->Inner->type->inputs[static_cast<std::size_t>(port)];
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), bole::vtkbridge::vtk_input_class_name(declared.kind));
@@ -310,6 +325,7 @@ bool vtkBoleStage::RequestData(vtkInformationVector** inputs, vtkInformationVect
       if (inputs[port]->GetNumberOfInformationObjects() > 0)
         if (auto core = this->Inner->input(port, vtkDataObject::GetData(inputs[port], 0)))
           data[this->GetInputPortName(port)] = std::move(core);
+    if (this->Inner->given) data[bole::vtkbridge::given_port] = this->Inner->given;
     if (!this->Inner->update(this, data)) return;
     for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port) {
       vtkInformation* info = outputs->GetInformationObject(port);

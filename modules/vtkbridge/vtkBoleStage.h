@@ -62,6 +62,10 @@ class VTKBOLEBRIDGE_EXPORT vtkBoleStage : public vtkAlgorithm {
   // Joins an input to the output of another stage; an empty producer disconnects.
   bool ConnectInput(const char* port, vtkBoleStage* producer, const char* producer_port);
 
+  // A reader of clouds or tables takes this data in place of its file (null: the file again). It is copied. False, with
+  // an error, for other stages and other data.
+  bool TakeData(vtkDataObject* data);
+
   // Where sinks write, and where results are kept. No cache when empty (the default).
   void SetOutputDirectory(const char* folder);
   void SetCacheDirectory(const char* folder);

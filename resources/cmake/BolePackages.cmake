@@ -155,6 +155,8 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-bole)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 math(EXPR next_python "${Python3_VERSION_MINOR} + 1")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "bole (= ${PROJECT_VERSION}), python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${next_python}), python3-vtk9")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, jupyter-notebook")
 set(CPACK_DEBIAN_PYTHON_DESCRIPTION
     "LiDAR surveys of forest plots on VTK (Python 3)
 Bole turns raw LiDAR scans or finished point clouds of a forest plot into a

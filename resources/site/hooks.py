@@ -1,9 +1,10 @@
 """What mkdocs.yml leaves to the folders: pages of stages, decisions and modules, so that no list of them is kept by hand.
 
-READMEs of modules and programs lie beside their code. In the site they are the pages code/..., and links between them and docs/ are
+Notebooks become pages of their texts and code. READMEs of modules and programs lie beside their code. In the site they are the pages code/..., and links between them and docs/ are
 turned accordingly; links to source files, which the site does not hold, become plain text.
 """
 
+import json
 import pathlib
 import re
 
@@ -42,7 +43,16 @@ def on_config(config):
     return config
 
 
+def notebook_page(path):
+    """The cells of a notebook as Markdown, with a link to the notebook itself."""
+    cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+    texts = ["".join(cell["source"]) if cell["cell_type"] == "markdown" else "```python\n" + "".join(cell["source"]) + "\n```" for cell in cells]
+    return "\n\n".join([texts[0], f"[Download the notebook]({path.name})", *texts[1:]]) + "\n"
+
+
 def on_files(files, config):
+    for p in sorted((TOP / "docs").rglob("*.ipynb")):
+        files.append(File.generated(config, p.relative_to(TOP / "docs").with_suffix(".md").as_posix(), content=notebook_page(p)))
     for p in readmes():
         files.append(File.generated(config, f"code/{p.as_posix()}", abs_src_path=str(TOP / p)))
     icon = "resources/icons/hicolor/scalable/apps/bole.svg"

@@ -229,18 +229,21 @@ class PathLists(Toy):
 
 
 class Interrupts(Toy):
-    SLOW = "time.sleep(3)"
+    # It ends early when the signal reaches it, as bole run does.
+    SLOW = "import signal\nsignal.signal(signal.SIGINT, lambda *_: sys.exit(4))\ntime.sleep(3)"
 
     def interrupted(self, *signals):
+        """As a terminal and Jupyter do it: all processes of the group get an interrupt."""
         self.campaign(4)
         fake = self.fake_program(self.SLOW)
         code = f"import sys; sys.path.insert(0, {str(ENGINE)!r}); import bole_campaign; sys.exit(bole_campaign.run(*sys.argv[1:3], workers=1, engine='local'))"
         client = subprocess.Popen([sys.executable, "-c", code, self.folder / "campaign.json", self.out], env=self.marked(BOLE_PROGRAM=str(fake)), stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT, text=True)
+                                  stderr=subprocess.STDOUT, text=True, start_new_session=True)
         self.addCleanup(self.end, client)
         self.assertTrue(self.wait_for(lambda: self.processes_of("--no-cache")))
+        time.sleep(0.5)  # until it listens
         for number in signals:
-            client.send_signal(number)
+            os.killpg(client.pid, number) if number == signal.SIGINT else client.send_signal(number)
             time.sleep(0.5)
         told = client.communicate(timeout=60)[0]
         return client.returncode, told

@@ -232,6 +232,15 @@ class Program(unittest.TestCase):
         self.assertNotIn("Results are in", told.stdout)
         self.assertIn("Verdict: refused", told.stdout)
 
+    def test_a_table_that_no_output_can_be_made_of_is_bad_input(self):
+        pipeline = self.pipeline()
+        self.write("trees.csv", "tree_id,x_m\n1,5\n")
+        told = self.bole("run", pipeline, "--out", self.folder / "o")
+        self.assertEqual(told.returncode, BAD_INPUT, told.stdout + told.stderr)
+        self.assertIn("no column 'y_m'", told.stderr)
+        self.assertIn("input_not_usable", [finding["code"] for finding in self.summary()["findings"]])
+        self.assertEqual(self.bole("run", pipeline, "--out", self.folder / "o").returncode, BAD_INPUT)  # not from the cache
+
     def test_a_full_disk_leaves_no_recording_that_is_cut_off(self):
         told = self.bole("simulate", "--plot", "demo", "--out", self.folder / "scan", preexec_fn=self.small_disk)
         self.assertEqual(told.returncode, FAILED, told.stderr)
@@ -264,6 +273,7 @@ class Program(unittest.TestCase):
         self.assertEqual(told.returncode, FAILED, told.stdout)
         self.assertIn("8 %", told.stderr)
         self.assertIn("--accept-partial", told.stderr)
+        self.assertIn("input_incomplete", [finding["code"] for finding in self.summary()["findings"]])
         told = self.bole("run", document, "--out", self.folder / "o", "--accept-partial")
         self.assertEqual(told.returncode, DONE, told.stderr)
         self.assertIn("input_incomplete", (self.folder / "o" / "summary.json").read_text())

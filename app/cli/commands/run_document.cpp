@@ -1,12 +1,10 @@
 #include "run_document.h"
 
 #include <fmt/format.h>
-#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <optional>
 
 #include "base/user_path.h"
 #include "base/verdict.h"
@@ -137,9 +135,6 @@ void add_run_flags(CLI::App& command, RunArguments& args) {
 
 void run_document(Program& program, pipeline::PipelineDocument document, const RunArguments& args) {
   if (args.end_with > 0) end_with_parent(args.end_with);
-  std::optional<tbb::global_control> threads;
-  if (args.threads > 0)
-    threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(args.threads));
   pipeline::apply_sets(document, args.sets);
   Interrupts interrupts(Interrupts::First::finishes);
   ProgressLine line;
@@ -149,6 +144,7 @@ void run_document(Program& program, pipeline::PipelineDocument document, const R
   settings.accept_partial = args.accept_partial;
   if (!args.cache.empty()) settings.cache_dir = expand_home(args.cache);
   settings.use_cache = !args.no_cache;
+  settings.threads = args.threads;
   settings.finish = interrupts.finish();
   settings.cancel = interrupts.cancel();
   settings.progress = [&line](const std::string& stage, double fraction, std::string_view what) {

@@ -55,6 +55,7 @@ def command_of(spec, attempt):
     command = [spec["program"], "run", spec["document"], "--out", str(attempt), "--end-with", str(os.getpid())]
     command += ["--threads", str(spec["threads"])] if spec.get("threads") else []
     command += ["--cache", str(attempt.parent / "cache")] if spec.get("cache") else ["--no-cache"]
+    command += ["--accept-partial"] if spec.get("accept_partial") else []
     for name, value in spec["set"].items():
         command += ["--set", f"{name}={value}"]
     return command
@@ -92,7 +93,7 @@ def said_by(log):
     return " ".join(told) if told else next((line for line in reversed(lines) if line.strip()), "")
 
 
-def judged(spec, attempt, why, code):
+def judged(spec, attempt, why, code, findings):
     """State and error of an attempt that was not cancelled."""
     said = said_by(attempt / "log.txt")
     if code == DONE:
@@ -105,6 +106,8 @@ def judged(spec, attempt, why, code):
         return "crashed", f"killed by {signal.Signals(-code).name}"
     if code == BAD_INPUT:
         return "bad_input", said
+    if keys.is_partial(findings):  # it holds less than it says: nothing but another file will change that
+        return "bad_input", said.replace("(--accept-partial)", '("accept_partial": true)')
     # What has nothing to do with the input may go well another time.
     return "crashed" if any(os.strerror(number) in said for number in DISK_ERRORS) else "failed", said or f"exit code {code}"
 
@@ -147,7 +150,8 @@ def run_in(spec, folder, handle):
     key = keys.key_of(parts)
     folders.note_attempt(folder, event="begin", attempt=record["attempt"], key=key, time=record["started"], host=record["host"], pid=os.getpid())
     with open(attempt / "log.txt", "wb") as log:
-        child = subprocess.Popen(command_of(spec, attempt), stdin=subprocess.DEVNULL, stdout=log, stderr=log, pass_fds=[handle])
+        # Of its own session: Ctrl-C on a terminal goes to all processes of a group, and the client alone decides what it means.
+        child = subprocess.Popen(command_of(spec, attempt), stdin=subprocess.DEVNULL, stdout=log, stderr=log, pass_fds=[handle], start_new_session=True)
         # A program that asks for far more than declared is told so by the system before the machine suffers.
         hard = int(1.5 * spec["memory_gib"] * GIB) + GIB
         try:
@@ -160,10 +164,12 @@ def run_in(spec, folder, handle):
         folders.note_attempt(folder, event="end", attempt=record["attempt"], time=now(), state="cancelled")
         shutil.rmtree(attempt, ignore_errors=True)
         return None
-    state, error = judged(spec, attempt, why, code)
+    facts = facts_of(attempt)
+    state, error = judged(spec, attempt, why, code, facts["findings"])
     record.update(state=state, error=error, why=why, exit_code=code, finished=now(), seconds=round(seconds, 3),
                   cpu_seconds=round(usage.ru_utime + usage.ru_stime, 3), peak_mib=round(usage.ru_maxrss / 1024, 1),
-                  memory_gib=spec["memory_gib"], threads=spec.get("threads") or 0, key=key, key_parts=parts, files=seen, **facts_of(attempt))
+                  memory_gib=spec["memory_gib"], threads=spec.get("threads") or 0, key=key, key_parts=parts, files=seen,
+                  accept_partial=spec.get("accept_partial", False), **facts)
     folders.write_json(attempt / "record.json", record)
     folders.put_in_place(attempt, folder / ("done" if state == "done" else "failed"))
     if state == "done":
@@ -175,10 +181,7 @@ def run_in(spec, folder, handle):
 def current(folder, place, spec):
     """The record in `done` or `failed` when its key is the one of this spec, else None."""
     record = folders.record_in(folder / place)
-    if record is None:
-        return None
-    parts, _ = keys.parts_of(spec, record.get("files", {}))
-    return record if keys.key_of(parts) == record["key"] else None
+    return None if record is None or keys.why_stale(record, spec) else record
 
 
 def run_attempt(spec):

@@ -8,7 +8,7 @@ import socket
 import time
 import uuid
 
-from . import attempt, cluster, folders, geopackage, page, planning, states
+from . import attempt, cluster, costs, folders, geopackage, page, planning, states
 from .errors import CANCELLED, FINISHED_EARLY, bad_input, failure
 from .local import LocalWorkers
 from .memory import machine_gib, processors
@@ -92,6 +92,7 @@ class Run:
     def __init__(self, of_plan, request):
         self.plan, self.request = of_plan, request
         self.page_written = 0.0
+        self.costs = costs.Costs(len(of_plan.tasks))
         self.crashes, self.losses, self.waiting, self.at_work = {}, {}, [], {}
 
     def run(self):
@@ -106,7 +107,9 @@ class Run:
             self.plan.keep()
             ledger = geopackage.Ledger(self.plan.out / "campaign.gpkg")
             try:
-                return self._run_with(ledger)
+                code = self._run_with(ledger)
+                self.costs.note(self.plan.out, code)
+                return code
             finally:
                 ledger.close()
 
@@ -120,27 +123,32 @@ class Run:
         if asked >= 2:
             print(f"Cancelled. What was done before is kept in {self.plan.out}", flush=True)
             return CANCELLED
-        rows, notes = self.plan.merge(ledger)
+        with self.costs.phase("merge"):
+            rows, notes = self.plan.merge(ledger)
         print_end(self.plan, rows, notes)
         return FINISHED_EARLY if asked == 1 and any(row["state"] in ("missing", "changed") for row in rows) else states.exit_code_of(rows)
 
     def _run_phase(self, tasks):
         """How often it was interrupted."""
-        looked = [(task, *planning.look_at(task, self.request.get("retry", False))[:2]) for task in tasks]
-        self.waiting = [task for task, what, _ in looked if what in planning.TO_RUN]
-        self.rows = {row["input_id"]: row for row in self.plan.rows()}
-        self.ledger.write_inputs(list(self.rows.values()))
+        with self.costs.phase("plan"):
+            looked = [(task, *planning.look_at(task, self.request.get("retry", False))[:2]) for task in tasks]
+            self.waiting = [task for task, what, _ in looked if what in planning.TO_RUN]
+            self.rows = {row["input_id"]: row for row in self.plan.rows()}
+            self.ledger.write_inputs(list(self.rows.values()))
         return self._run_waiting(len(looked)) if self.waiting else 0
 
     def _run_waiting(self, of):
         interrupts = Interrupts(self.plan.out)
         workers = None
         try:
-            workers, self.room = start_workers(self.request, len(self.waiting))
+            with self.costs.phase("start"):
+                workers, self.room = start_workers(self.request, len(self.waiting))
+            self.costs.workers, self.costs.engine = workers.workers, workers.name
             self._fit_to(workers)
             print(f"{self.plan.named(self.waiting[0], of)}, {len(self.waiting)} to run, {workers.workers} at a time ({workers.name}"
                   + (f", {self.room.gib:.1f} GiB)" if self.room else ")"), flush=True)
-            self._loop(workers, interrupts)
+            with self.costs.phase("work"):
+                self._loop(workers, interrupts)
             return interrupts.asked
         except BaseException:
             interrupts.stop_file.touch()
@@ -171,9 +179,12 @@ class Run:
                 self._show({**self.rows[self.plan.row_id(task)], "state": "running"})
                 if self.room:
                     self.room.take(task)
+                self.costs.attempts += 1
                 workers.start({**task, **files, "retry": self.request.get("retry", False)})
             self.progress.draw(len(self.at_work))
-            for spec, result in workers.finished(WAIT_S):
+            with self.costs.phase("wait"):
+                ended = workers.finished(WAIT_S)
+            for spec, result in ended:
                 self._take(self.at_work.pop(spec["id"]), result)
             if interrupts.asked >= 2:
                 cancel_began = cancel_began or time.monotonic()

@@ -50,7 +50,7 @@ def print_status(request):
     found = kept_plan(request["out"])
     rows = sorted(found.rows(), key=states.badness)
     if request.get("json"):
-        print(json.dumps({"title": found.title, "folder": str(found.out), "counts": states.counts_of(rows), "inputs": rows}, indent=1))
+        print(json.dumps({"title": found.title, "folder": str(found.out), "counts": states.counts_of(rows), "exit_code": states.exit_code_of(rows), "inputs": rows}, indent=1))
         return 0
     print(f"{'input':<16} {'state':<10} {'verdict':<8} {'stems':>6} {'time (s)':>9} {'MiB':>7} {'tries':>5}  error")
     for row in rows:

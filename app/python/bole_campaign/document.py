@@ -18,7 +18,7 @@ from .errors import bad_input, did_you_mean
 from .program import Pipeline, find_pipeline
 
 # Every key with what it holds; README of the keys is docs/user/campaigns.md.
-CAMPAIGN_KEYS = ("pipeline", "inputs", "set", "tables", "memory_gib", "time_limit_s", "threads", "retries", "cache", "title")
+CAMPAIGN_KEYS = ("pipeline", "inputs", "set", "tables", "memory_gib", "time_limit_s", "threads", "retries", "cache", "accept_partial", "title")
 # One of these makes it a document of one cloud in tiles (tiled_document.py).
 TILE_KEYS = ("cloud", "tile_m", "buffer_m", "shift_m")
 INPUT_KEYS = ("id", "set", "memory_gib", "x_m", "y_m")
@@ -60,6 +60,12 @@ def whole_number_of(value, place, at_least):
     if number != int(number):
         raise bad_input(f"{place} is {value!r}", "a whole number")
     return int(number)
+
+
+def truth_of(value, place):
+    if not isinstance(value, bool):
+        raise bad_input(f"{place} is {value!r}", "true or false")
+    return value
 
 
 def raw_document(path):
@@ -118,9 +124,7 @@ class Campaign:
         self.time_limit_s = number_of(raw["time_limit_s"], f"{place}: time_limit_s", 1) if "time_limit_s" in raw else None
         self.threads = whole_number_of(raw["threads"], f"{place}: threads", 1) if "threads" in raw else None
         self.retries = whole_number_of(raw.get("retries", 2), f"{place}: retries", 0)
-        self.cache = raw.get("cache", False)
-        if not isinstance(self.cache, bool):
-            raise bad_input(f"{place}: cache is {self.cache!r}", "true or false")
+        self.cache, self.accept_partial = (truth_of(raw.get(key, False), f"{place}: {key}") for key in ("cache", "accept_partial"))
 
     def _settings(self, given, place):
         if not isinstance(given, dict):

@@ -6,6 +6,7 @@
     DIR/tasks/ID/attempt-*/           an attempt at work, or what a killed one left
     DIR/tasks/ID/attempts.jsonl       every attempt: its begin and its end
     DIR/tasks/ID/lock, DIR/lock       held while an attempt, or a client, is at work
+    DIR/runs.jsonl                    every run of the client that came to its end: what it took (costs.py)
     DIR/stems.csv, campaign.gpkg, campaign.html
 """
 

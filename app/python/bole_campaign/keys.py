@@ -92,6 +92,21 @@ def key_of(parts):
     return digest(json.dumps(parts, sort_keys=True).encode())
 
 
+def is_partial(findings):
+    """Whether an input could be read in part only (base/verdict.h)."""
+    return any(finding.get("code") == "input_incomplete" for finding in findings)
+
+
+def why_stale(record, spec):
+    """Why a record does not hold for a spec any more; empty where it does."""
+    parts, _ = parts_of(spec, record.get("files", {}))
+    if key_of(parts) != record["key"]:
+        return difference(record["key_parts"], parts)
+    if is_partial(record.get("findings", [])) and record.get("accept_partial", False) != spec.get("accept_partial", False):
+        return "accept_partial changed"  # to inputs that are whole it makes no difference
+    return ""
+
+
 def difference(before, now):
     """Why a result is not current, in words."""
     reasons = []

@@ -25,7 +25,7 @@ class Plan:
             return tile_plan.TilePlan.of_campaign(tiled_document.TiledCampaign(path, program, raw), out, program, version).look_through()
         campaign = Campaign(path, program, raw)
         common = {"program": program, "version": version, "document": str(campaign.pipeline.path), "cache": campaign.cache,
-                  "time_limit_s": campaign.time_limit_s, "threads": campaign.threads}
+                  "accept_partial": campaign.accept_partial, "time_limit_s": campaign.time_limit_s, "threads": campaign.threads}
         tasks = [
             {**common, "id": e["id"], "folder": str(folders.task_folder(out, e["id"])), "set": e["set"], "files": e["files"],
              "memory_gib": memory.declared_gib(e), "memory_given": e["memory_gib"] is not None, "x_m": e["x_m"], "y_m": e["y_m"]}
@@ -99,11 +99,11 @@ def recorded(task):
         record = folders.record_in(pathlib.Path(task["folder"]) / place)
         if record is None:
             continue
-        parts, _ = keys.parts_of(task, record.get("files", {}))
-        if keys.key_of(parts) == record["key"]:
+        why = keys.why_stale(record, task)
+        if not why:
             return record, ""
         if stale is None or record["finished"] > stale["finished"]:
-            stale, reason = record, keys.difference(record["key_parts"], parts)
+            stale, reason = record, why
     return stale, reason
 
 

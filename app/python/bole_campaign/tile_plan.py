@@ -22,7 +22,7 @@ OF_TILES = ("ground", "stems", "label")
 CUT_GIB, BASE_GIB = 1.2, 0.5
 BYTES_PER_POINT = {"ground": 330.0, "stems": 400.0, "label": 150.0}
 TERRAIN_MARGIN = 4  # cells read beyond the buffer: slopes and borders need neighbours
-INFO = ("title", "tables", "retries", "cache", "time_limit_s", "threads", "memory_gib", "files", "tile_m", "buffer_m", "shift_m", "cloud_files", "breast_height", "settings", "setting_files", "id_of")
+INFO = ("title", "tables", "retries", "cache", "accept_partial", "time_limit_s", "threads", "memory_gib", "files", "tile_m", "buffer_m", "shift_m", "cloud_files", "breast_height", "settings", "setting_files", "id_of")
 
 
 def box_text(box, margin=0.0):
@@ -62,7 +62,7 @@ class TilePlan(planning.Plan):
         info = self.info
         name = f"{tile['name']}.{phase}" if tile else phase
         return {
-            "program": info["program"], "version": info["version"], "cache": info["cache"], "time_limit_s": info["time_limit_s"], "threads": info["threads"],
+            "program": info["program"], "version": info["version"], "cache": info["cache"], "accept_partial": info["accept_partial"], "time_limit_s": info["time_limit_s"], "threads": info["threads"],
             "document": str(self.out / "phases" / f"{phase}.json"), "content": info["documents"][phase], "phase": phase, "row": tile["name"] if tile else phase,
             "id": name, "folder": str(folders.task_folder(self.out, name)), "set": settings, "files": files,
             "memory_gib": info["memory_gib"] or round(gib, 2), "memory_given": info["memory_gib"] is not None, "x_m": None, "y_m": None,

@@ -10,11 +10,11 @@ import glob
 import os
 import pathlib
 
-from .document import Campaign, check_keys, number_of
+from .document import Campaign, check_keys, number_of, truth_of
 from .errors import bad_input
 from .program import Pipeline, find_pipeline
 
-TILED_KEYS = ("pipeline", "cloud", "tile_m", "buffer_m", "shift_m", "cloud_files", "set", "memory_gib", "time_limit_s", "threads", "retries", "cache", "title")
+TILED_KEYS = ("pipeline", "cloud", "tile_m", "buffer_m", "shift_m", "cloud_files", "set", "memory_gib", "time_limit_s", "threads", "retries", "cache", "accept_partial", "title")
 # What leads from a cloud to its stems. Other stages look at a plot as a whole.
 IN_TILES = ("io.read_cloud", "io.read_trajectory", "survey.join_trajectory", "ground.model", "stems.measure")
 # Each run looks at its cloud as a whole; a tile must not decide for itself what the cloud is.
@@ -53,9 +53,7 @@ class TiledCampaign(Campaign):
         if not isinstance(shift, list) or len(shift) != 2:
             raise bad_input(f"{place}: shift_m is {shift!r}", "two numbers: [east, north]")
         self.shift_m = [number_of(value, f"{place}: shift_m") for value in shift]
-        self.cloud_files = raw.get("cloud_files", True)
-        if not isinstance(self.cloud_files, bool):
-            raise bad_input(f"{place}: cloud_files is {self.cloud_files!r}", "true or false")
+        self.cloud_files = truth_of(raw.get("cloud_files", True), f"{place}: cloud_files")
         self.files = self._files_of_cloud(raw["cloud"], place)
         self._take_stages(place)
         self.settings, self.setting_files = self._tile_settings(raw.get("set", {}), f"{place}: set")

@@ -62,15 +62,16 @@ cat > "$work/pipeline.json" <<'JSON'
 {"stages": [{"id": "stems", "type": "io.read_table"}, {"id": "report", "type": "report.plot", "inputs": {"stems": "stems.table"}, "options": {"figures": false}}]}
 JSON
 echo "{\"pipeline\": \"pipeline.json\", \"inputs\": [${inputs%,}]}" > "$work/campaign.json"
-printf '#!/bin/sh\nexec %s campaign run %s --out %s --task "$SLURM_ARRAY_TASK_ID"\n' "$bole" "$work/campaign.json" "$work/out" > "$work/job.sh"
+printf '#!/bin/sh\necho "on node $SLURMD_NODENAME"\nexec %s campaign run %s --out %s --task "$SLURM_ARRAY_TASK_ID"\n' "$bole" "$work/campaign.json" "$work/out" > "$work/job.sh"
 sbatch --array=1-$count -o "$work/job%a.log" "$work/job.sh"
 for _ in $(seq 300); do sleep 1; [ -z "$(squeue -h)" ] && break; done
 "$bole" campaign status "$work/out"
 rows=$(tail -n +2 "$work/out/stems.csv" | wc -l)
+nodes=$(grep -h '^on node' "$work"/job*.log | sort -u | wc -l)
 attempts=$(cat "$work"/out/tasks/*/attempts.jsonl | grep -c '"begin"')
-if [ "$rows" -eq $((count - 1)) ] && [ "$attempts" -eq $count ] && [ -s "$work/out/campaign.gpkg" ]; then
-  echo "PASSED: $count tasks on 2 nodes, $rows stems, $attempts attempts"
+if [ "$rows" -eq $((count - 1)) ] && [ "$attempts" -eq $count ] && [ "$nodes" -eq 2 ] && [ -s "$work/out/campaign.gpkg" ]; then
+  echo "PASSED: $count tasks on $nodes nodes, $rows stems, $attempts attempts"
 else
-  echo "FAILED: $rows stems, $attempts attempts; the logs are in $work"
+  echo "FAILED: $nodes nodes, $rows stems, $attempts attempts; the logs are in $work"
   exit 1
 fi

@@ -56,6 +56,22 @@ TEST_F(RunStage, ACancelledRunEndsBeforeItStarts) {
   }
 }
 
+TEST_F(RunStage, DataInMemoryGoToStagesThatTakeThem) {
+  const Data cloud = std::make_shared<const PointCloud>(PointCloud({{0, 0, 0}}));
+  EXPECT_THAT(error_of([&] { take_data(slice, cloud, options, {}); }),
+              HasSubstr("toy.slice: the stage takes no data from memory; needed: a file"));
+  StageType reader = registry.at("toy.read");
+  reader.take = [](const Data& given, const OptionSet&, const bole::Run&) {
+    StageResult result;
+    result.outputs.set("points", given);
+    return result;
+  };
+  const OptionSet none(*reader.options);
+  EXPECT_EQ(take_data(reader, cloud, none, {}).outputs.cloud("points").size(), 1U);
+  EXPECT_THAT(error_of([&] { take_data(reader, std::make_shared<const Table>(), none, {}); }),
+              HasSubstr("a table was given; needed: a cloud"));
+}
+
 TEST_F(RunStage, TimeAndMemoryAreMeasured) {
   PointCloud cloud({{0, 0, 0}});
   cloud.set_column(arrays::height_above_ground, std::vector<float>{1});

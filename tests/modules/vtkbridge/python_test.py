@@ -129,6 +129,40 @@ class Pipeline(unittest.TestCase):
         self.assertGreater(points.GetNumberOfPoints(), 6400)
         self.assertIsNotNone(points.GetPointData().GetArray("height_above_ground"))
 
+    def test_takes_data_in_place_of_a_file(self):
+        pipeline = self.pipeline()
+        self.assertTrue(pipeline.SetOption("scan.file", ""))
+        self.assertIn("file is empty", pipeline.Validate())
+        self.assertTrue(pipeline.TakeData("scan", bumpy_ground()))
+        self.assertEqual(pipeline.Validate(), "")
+        self.assertTrue(pipeline.Run(), pipeline.GetErrorText())
+        self.assertEqual(pipeline.GetStage("scan").GetOutputDataObject(0).GetNumberOfPoints(), bumpy_ground().GetNumberOfPoints())
+        listen(pipeline, "ErrorEvent", [])
+        self.assertFalse(pipeline.TakeData("ground", bumpy_ground()))
+        self.assertIn("takes no data from memory; needed: a file", pipeline.GetErrorText())
+        self.assertTrue(pipeline.TakeData("scan", None))
+        self.assertIn("file is empty", pipeline.Validate())
+
+    def test_runs_in_a_thread_of_its_own(self):
+        pipeline = self.pipeline()
+        heard = []
+        pipeline.AddObserver("ProgressEvent", lambda *_: heard.append(1))
+        listen(pipeline, "ErrorEvent", [])
+        self.assertTrue(pipeline.Start())
+        self.assertIsNone(pipeline.GetStage("ground"))
+        self.assertFalse(pipeline.SetOption("scan.file", "x"))
+        self.assertTrue(pipeline.Wait(60))
+        self.assertEqual((heard, pipeline.GetExitCode()), ([], 0))
+        self.assertGreater(pipeline.GetStage("ground").GetOutputDataObject(1).GetNumberOfPoints(), 100)
+        self.assertEqual(pipeline.GetResultsDirectory(), str(self.out))
+        pipeline.SetUseCache(False)
+        self.assertTrue(pipeline.SetOption("scan.skip_lines", 1))
+        self.assertTrue(pipeline.Start())
+        pipeline.Cancel()
+        self.assertTrue(pipeline.Wait(60))
+        self.assertEqual(pipeline.GetExitCode(), 3)
+        self.assertTrue(pipeline.GetSurveyKept())
+
     def test_errors(self):
         pipeline = self.pipeline()
         heard = []

@@ -66,10 +66,7 @@ Eigen::Matrix3d rotation_to_z_up(UpAxis up) {
   return rotation;
 }
 
-namespace {
-
-// Noise read as numbers reaches 1e38; the unit of a file may be another than metres. Nothing on earth is further away
-// than this from the origin of its coordinates.
+// Noise read as numbers reaches 1e38; the unit of a file may be another than metres.
 void check_coordinates(CloudReading& reading) {
   constexpr double doubtful_share = 0.01;
   const auto& cloud = reading.cloud;
@@ -84,8 +81,6 @@ void check_coordinates(CloudReading& reading) {
                     "Is the file damaged or of another kind? Else set the option unit, or the columns of a text file");
   reading.report.find(Severity::look, "implausible_coordinates", found + ": crop or repair the cloud");
 }
-
-}  // namespace
 
 CloudReading read_cloud(Bytes file, const std::filesystem::path& name, const CloudReadOptions& options,
                         const Run& run) {

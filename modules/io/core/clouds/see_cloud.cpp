@@ -9,6 +9,7 @@
 #include "base/option.h"
 #include "base/transform.h"
 #include "cloud/known_facts.h"
+#include "io/core/clouds/take_cloud.h"
 #include "io/core/clouds/turn_cloud.h"
 #include "io/core/las/crs_unit.h"
 
@@ -327,11 +328,24 @@ SeenCloud look_at_cloud(CloudReading reading, const SeeCloudOptions& options, co
   return seen;
 }
 
-SeenCloud see_cloud(const std::filesystem::path& path, const SeeCloudOptions& options, const Run& run) {
+namespace {
+
+// What is open is decided after the reading.
+CloudReadOptions as_written(const SeeCloudOptions& options) {
   CloudReadOptions reading = options.reading;
   reading.unit = options.unit.value_or(LengthUnit::metre);
   reading.up = options.up.value_or(UpAxis::z);
-  return look_at_cloud(read_cloud(path, reading, run.part(0, 0.7)), options, run.part(0.7, 1));
+  return reading;
+}
+
+}  // namespace
+
+SeenCloud see_cloud(const std::filesystem::path& path, const SeeCloudOptions& options, const Run& run) {
+  return look_at_cloud(read_cloud(path, as_written(options), run.part(0, 0.7)), options, run.part(0.7, 1));
+}
+
+SeenCloud see_cloud(const PointCloud& given, const SeeCloudOptions& options, const Run& run) {
+  return look_at_cloud(take_cloud(given, as_written(options), run.part(0, 0.7)), options, run.part(0.7, 1));
 }
 
 }  // namespace bole::io

@@ -34,6 +34,9 @@ struct SeenCloud {
 // As read_cloud(), with unit and up decided where the options leave them open.
 SeenCloud see_cloud(const std::filesystem::path& path, const SeeCloudOptions& options = {}, const Run& run = {});
 
+// The same of a cloud in memory, by take_cloud().
+SeenCloud see_cloud(const PointCloud& given, const SeeCloudOptions& options = {}, const Run& run = {});
+
 // The second step of it, for a cloud that was read with the options.
 SeenCloud look_at_cloud(CloudReading reading, const SeeCloudOptions& options, const Run& run = {});
 
