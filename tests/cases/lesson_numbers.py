@@ -52,8 +52,25 @@ def gaps():
                 yield {"row": row, "heading": heading, "from": (f"{folder}/summary.json", name)}
 
 
+def loops():
+    measures = (("error of the path, RMSE", "evaluate.ate_rmse", 100), ("largest error", "evaluate.ate_max", 100),
+                ("two passes of a trunk apart (median)", "check.stem_pass_spread", 1), ("thickness of the bark in the map", "check.wall", 1),
+                ("DBH bias", "evaluate.dbh_bias", 1), ("DBH RMSE", "evaluate.dbh_rmse", 1))
+    by_hand = (("error of the path", "evaluate.ate_rmse", 1), ("trees at their place", "evaluate.matched", 1),
+               ("a trunk in two passes, apart", "check.stem_pass_spread", 1))
+    for of, runs in ((measures, (("none", "open"), ("10", "closed"))), (by_hand, (("nothing", "closed"), ("67 and 312", "wrong")))):
+        for row, folder in runs:
+            for heading, name, factor in of:
+                yield {"row": row, "heading": heading, "from": (f"{folder}/summary.json", name), "factor": factor}
+    for first, second, found_by in (("67", "312", "context"), ("0", "351", "odometry"), ("0", "369", "odometry")):
+        where = {"from_frame": first, "to_frame": second, "found_by": found_by}
+        for heading, column in (("share of points that agree", "overlap"), ("correction", "correction_m")):
+            yield {"row": f"{first} and {second}", "heading": heading, "from": ("closed/loop_candidates.csv", where, column)}
+
+
 NUMBERS = {
     "why-sample-plots-differ": list(samples()),
     "why-a-row-has-no-exact-direction": list(rows()),
     "why-a-gap-is-computed": list(gaps()),
+    "why-a-walk-drifts-and-loops-help": list(loops()),
 }
