@@ -10,6 +10,8 @@
 #include "base/option_text.h"
 #include "cloud/first_sight.h"
 #include "cloud/height_facts.h"
+#include "cloud/whole_cloud.h"
+#include "cloud/whole_size.h"
 
 namespace bole {
 inline namespace cloud {
@@ -35,10 +37,15 @@ std::span<const FactInfo* const> known_facts() {
                                   &facts::range_noise,
                                   &facts::clock,
                                   &facts::poses,
+                                  &facts::level_sigma,
                                   &facts::breast_height,
                                   &facts::kind,
                                   &facts::height_reference,
                                   &facts::terrain,
+                                  &facts::whole_origin,
+                                  &facts::whole_low,
+                                  &facts::whole_spacing,
+                                  &facts::whole_points,
                                   &facts::axes,
                                   &facts::crs};
   return all;

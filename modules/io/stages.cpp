@@ -12,6 +12,7 @@
 #include "io/core/tables/trajectory_file.h"
 #include "io/core/views/open_views.h"
 #include "io/core/views/view_layouts.h"
+#include "io/tile_stages.h"
 #include "pipeline/stage.h"
 
 namespace bole::io {
@@ -317,6 +318,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   registry.add(read_trajectory_stage());
   registry.add(read_views_stage());
   registry.add(read_runs_stage());
+  register_tiles(registry);
 }
 
 }  // namespace bole::io

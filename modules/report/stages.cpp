@@ -9,6 +9,7 @@
 #include "report/sample_report.h"
 #include "report/steering_report.h"
 #include "report/survey_data.h"
+#include "report/tile_report.h"
 
 namespace bole::report {
 
@@ -35,6 +36,7 @@ void register_result_names() {
                               "diameter_classes.csv",
                               "diameters.csv",
                               "edits.csv",
+                              "evidence.csv",
                               "field.json",
                               "growth.csv",
                               "growth_values.csv",
@@ -57,6 +59,7 @@ void register_result_names() {
                               "plot_values.csv",
                               "pose_graph.csv",
                               "positions.csv",
+                              "priors.csv",
                               "reference_trajectory.tum",
                               "reference_trees.csv",
                               "rejected.csv",
@@ -138,6 +141,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   registry.add(sample_report_stage());
   registry.add(plant_report_stage());
   registry.add(compare_report_stage());
+  registry.add(tile_report_stage());
 }
 
 }  // namespace bole::report

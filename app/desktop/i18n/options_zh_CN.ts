@@ -3036,8 +3036,8 @@
             <translation>横切面的厚度。</translation>
         </message>
         <message>
-            <source>What gives the vertical. stems: their mean direction, the ground where there are too few; ground: its plane, for level plots only; none: z is up already.</source>
-            <translation>由什么确定铅垂方向。单木(stems):单木的平均方向,单木太少时用地面;地面(ground):地面的平面,仅用于平坦样地;不调平(none):z 已经向上。</translation>
+            <source>What gives the vertical. auto: gravity where the map was made with an inertial unit that tells it to 0.3 deg, else the stems; gravity: z is up, as the unit told; stems: their mean direction, the ground where there are too few; ground: its plane, for level plots only; none: z is up already.</source>
+            <translation>由什么确定铅垂方向。自动(auto):若建图时惯性单元给出的重力方向精确到 0.3 度,则用重力,否则用单木;重力(gravity):z 已按惯性单元向上;单木(stems):单木的平均方向,单木太少时用地面;地面(ground):地面的平面,仅用于平坦样地;不调平(none):z 已经向上。</translation>
         </message>
         <message>
             <source>Returns stronger than this come from retro-reflective surfaces (Velodyne: above 100).</source>
