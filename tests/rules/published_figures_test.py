@@ -69,15 +69,18 @@ class PublishedFigures(unittest.TestCase):
             work = pathlib.Path(folder)
             (work / "plot1-1-loam_paper.json").write_text(json.dumps(run))
             (work / "plot1-1-loam_paper-5hz.json").write_text(json.dumps(run))
+            (work / "plot1-1-forest_paper-5hz.json").write_text(json.dumps({**run, "ended_early": True, "frames": 73}))
             page = work / "page.md"
             words = ["slam_tables.py", "--bole", "none", "--work", folder, "--rate", "10", "5", "--plots", "plot1", "--seeds", "1", "--presets",
                      "loam_paper", "forest_paper", "--budget", "1e-9", "--page", str(page)]
             with mock.patch.object(sys, "argv", words), contextlib.redirect_stdout(io.StringIO()) as printed:
                 self.assertEqual(module.main(), 0)
             text = page.read_text()
-        self.assertIn("2 of 4 runs are missing", printed.getvalue())
+        self.assertIn("1 of 4 runs are missing", printed.getvalue())
         self.assertIn("| 5 Hz | plot1 | loam_paper | 1 of 1 seeds | 2.0 |", text)
         self.assertIn("| 10 Hz | plot1 | forest_paper | 0 of 1 seeds | - |", text)
+        self.assertIn("| 5 Hz | plot1 | forest_paper | 0 of 1 seeds, 1 lost the track after 73 frames | 2.0 |", text)
+        self.assertNotIn("plot1, forest_paper", text)  # no figures of a part of a walk
         self.assertIn("0 of the 32 sets", text)
         self.assertIn("The others were not run", text)
 

@@ -140,12 +140,17 @@ class Clock:
         self.longest_s = max(self.longest_s, time.monotonic() - self.begun)
 
 
-def command(words, log):
+ENDED_EARLY = 4  # exit code of a run whose track was lost: its results stand, but are not of the whole walk
+
+
+def command(words, log, accepted=(0,)):
+    """The exit code where it is one of those accepted, else None."""
     with open(log, "w") as out:
-        if subprocess.run([str(w) for w in words], stdout=out, stderr=subprocess.STDOUT).returncode != 0:
-            print(f"failed: {' '.join(map(str, words))}\n{log.read_text()[-2000:]}", file=sys.stderr)
-            return False
-    return True
+        code = subprocess.run([str(w) for w in words], stdout=out, stderr=subprocess.STDOUT).returncode
+    if code in accepted:
+        return code
+    print(f"failed: {' '.join(map(str, words))}\n{log.read_text()[-2000:]}", file=sys.stderr)
+    return None
 
 
 def write_whole(path, text):
@@ -176,9 +181,8 @@ def simulated(arguments, plot, seed):
     folder = own_scan(arguments, plot, seed)
     if not (folder / "trees.csv").exists():
         shutil.rmtree(folder, ignore_errors=True)
-        if not command([arguments.bole, "simulate", "--plot", plot, "--seed", seed, "--rotation-rate",
-                        arguments.rate, "--out", folder],
-                       arguments.work / "simulate.log"):
+        if command([arguments.bole, "simulate", "--plot", plot, "--seed", seed, "--rotation-rate", arguments.rate, "--out", folder],
+                   arguments.work / "simulate.log") is None:
             return None
     return folder
 
@@ -218,6 +222,7 @@ def figures(arguments, out, scan):
     slam = stages["slam"]
     found["ms_per_frame"] = 1000 * slam["seconds"] / max(1, slam["counts"]["frames"])
     found["loops"] = slam["counts"].get("loops", 0)
+    found["frames"] = slam["counts"]["frames"]
     found["peak_mib"] = summary["peak_mib"]
     found.update(loop_figures(arguments, out, scan))
     matches = [r for r in rows_of(out / "matches.csv") if r["kind"] == "matched"]
@@ -251,9 +256,10 @@ def measured(arguments, plot, seed, name, options, clock):
             words += ["--set", f"{key}={value}"]
         print(f"{plot}, seed {seed}, {arguments.rate} Hz: {name} ...", file=sys.stderr, flush=True)
         begun = time.monotonic()
-        if not command(words, arguments.work / "run.log"):
+        code = command(words, arguments.work / "run.log", (0, ENDED_EARLY))
+        if code is None:
             return None
-        of_run = {"seconds": time.monotonic() - begun, **figures(arguments, out, scan)}
+        of_run = {"seconds": time.monotonic() - begun, "ended_early": code == ENDED_EARLY, **figures(arguments, out, scan)}
         write_whole(kept, json.dumps(of_run, indent=1))
         shutil.rmtree(out, ignore_errors=True)
         clock.done()
@@ -340,13 +346,18 @@ def main():
         runs, not_run = all_runs(argparse.Namespace(**{**vars(arguments), "rate": rate}), variants, clock)
         of_rate[rate] = runs
         left += not_run
-    text = "\n".join(tables(arguments, rate, variants, runs) for rate, runs in of_rate.items())
+    text = "\n".join(tables(arguments, rate, variants, whole(runs)) for rate, runs in of_rate.items())
     print(text)
     if left:
         print(f"\n{left} of {left + sum(len(r) for runs in of_rate.values() for r in runs.values())} runs are missing: call again to go on.")
     if arguments.page:
         write_whole(arguments.page, page_text(arguments, variants, of_rate, text))
     return 1 if any(r is None for runs in of_rate.values() for of in runs.values() for r in of) else 0
+
+
+def whole(runs):
+    """Without the runs that lost their track: their trees are those of a part of the walk."""
+    return {key: [r for r in of if r and not r.get("ended_early")] for key, of in runs.items()}
 
 
 def all_runs(arguments, variants, clock):
@@ -378,14 +389,18 @@ def page_text(arguments, variants, of_rate, text):
     rows = []
     for rate, runs in of_rate.items():
         for (plot, name), of in runs.items():
-            done = [r for r in of if r]
-            failed = len(of) - len(done)
-            minutes = median(done, "seconds")
-            rows.append((f"{rate} Hz", [plot, name, f"{len(done)} of {len(arguments.seeds)} seeds" + (f", {failed} failed" if failed else ""),
-                                        "-" if minutes is None else f"{minutes / 60:.1f}"]))
+            done = whole({0: of})[0]
+            lost = [r for r in of if r and r.get("ended_early")]
+            state = f"{len(done)} of {len(arguments.seeds)} seeds"
+            if lost:
+                state += f", {len(lost)} lost the track after " + " and ".join(f"{r['frames']} frames" for r in lost)
+            if None in of:
+                state += f", {of.count(None)} failed"
+            seconds = median(done + lost, "seconds")
+            rows.append((f"{rate} Hz", [plot, name, state, "-" if seconds is None else f"{seconds / 60:.1f}"]))
     presets = ["loam", "loam_paper", "forest", "forest_paper"]
     full = [(rate, plot, preset) for rate in (10, 5) for plot in PLOTS[:4] for preset in presets]
-    here = [k for k in full if len([r for r in of_rate.get(k[0], {}).get(k[1:], []) if r]) >= 3]
+    here = [k for k in full if len(whole(of_rate.get(k[0], {})).get(k[1:], [])) >= 3]
     missing = (f"{len(here)} of the {len(full)} sets of the full comparison (plots 1 to 4, three seeds each, "
                f"{', '.join(presets)}, 10 and 5 Hz) are on this page.")
     if len(here) < len(full):
