@@ -13,7 +13,7 @@
 namespace bole::report {
 namespace {
 
-constexpr std::size_t most_runs = 4;
+constexpr std::size_t max_runs = 4;
 constexpr double cell_m = 0.01, low_m = 0.5, high_m = 2.5;  // of the map; heights above ground
 
 std::vector<std::pair<double, double>> loops_of(const CompareData& data, std::size_t run) {
@@ -76,7 +76,7 @@ bool any_loops(const CompareData& data, const std::vector<std::size_t>& runs) {
 
 render::Figure loop_figure(const CompareData& data, std::vector<ComparedRunPath> paths, const Trajectory& reference,
                            bool common_axes, double width_mm, const Run& run) {
-  if (paths.size() > most_runs) paths.resize(most_runs);
+  if (paths.size() > max_runs) paths.resize(max_runs);
   std::vector<Pose> to_sheet(paths.size(), Pose::Identity());
   if (!common_axes) {
     const Trajectory common = reference.empty() ? paths.front().path : reference;

@@ -1,4 +1,4 @@
-#include "steering/core/plan_lines.h"
+#include "steering/core/plan/plan_lines.h"
 
 #include <cpl_error.h>
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "steering/core/guidance_line.h"
-#include "steering/core/plan_tables.h"
+#include "steering/core/plan/plan_tables.h"
 #include "steering/core/same_plane.h"
 
 namespace bole::steering {

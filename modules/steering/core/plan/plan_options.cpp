@@ -1,5 +1,5 @@
 #include "base/error.h"
-#include "steering/core/plan_lines.h"
+#include "steering/core/plan/plan_lines.h"
 
 namespace bole::steering {
 

@@ -1,4 +1,4 @@
-#include "steering/core/plan_tables.h"
+#include "steering/core/plan/plan_tables.h"
 
 #include <utility>
 
