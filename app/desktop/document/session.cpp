@@ -6,6 +6,7 @@
 
 #include "base/atomic_file.h"
 #include "document/person.h"
+#include "document/unsaved.h"
 
 namespace bole::desktop {
 
@@ -52,6 +53,9 @@ Session::Session(QObject* parent) : QObject(parent) {
   connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) {
     if (clean && undo_.count() > 0) discard_recovery();
   });
+  connect(&undo_, &QUndoStack::indexChanged, this, [this](int index) {
+    if (index == 0 && undo_.count() > 0 && !changed()) discard_recovery();
+  });
 }
 
 void Session::open(const QString& path) {
@@ -68,6 +72,12 @@ void Session::recover(const QString& path) {
 void Session::start(pipeline::PipelineDocument document, const QString& path) {
   take(std::move(document), path);
   undo_.resetClean();
+  made_ = true;
+}
+
+bool Session::changed() const {
+  if (!has_document() || undo_.isClean()) return false;
+  return !made_ || undo_.index() > 0;
 }
 
 void Session::change(const QString& what, pipeline::PipelineDocument after) {
@@ -86,12 +96,15 @@ void Session::take(pipeline::PipelineDocument document, const QString& path) {
   undo_.clear();
   undo_.setClean();  // Qt leaves an empty stack as it was: after start() that is not clean
   recovered_ = false;
+  made_ = false;
   protected_ = true;
   Q_EMIT document_replaced();
 }
 
 void Session::discard_recovery() {
-  if (!path_.isEmpty()) QFile::remove(recovery_path(path_));
+  if (path_.isEmpty()) return;
+  QFile::remove(recovery_path(path_));
+  forget_unsaved(path_);
 }
 
 // Called by commands of the stack, through which nothing may be thrown: Qt calls them from its own loop.
@@ -99,6 +112,7 @@ void Session::journal() {
   if (path_.isEmpty()) return;
   try {
     write_text_file(recovery_path(path_).toStdString(), document_->to_json());
+    note_unsaved(path_);
     protected_ = true;
   } catch (const std::exception& e) {
     if (std::exchange(protected_, false)) Q_EMIT unprotected(QString::fromUtf8(e.what()));
@@ -117,6 +131,7 @@ void Session::save(const QString& path) {
   discard_recovery();
   path_ = path;
   recovered_ = false;
+  made_ = false;
   undo_.setClean();
 }
 

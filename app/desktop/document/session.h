@@ -55,6 +55,8 @@ class Session : public QObject {
   void change(const QString& what, pipeline::PipelineDocument after);
 
   QUndoStack& undo_stack() { return undo_; }
+  // Whether something would be lost: not for a document that the program made and in which every edit is undone.
+  bool changed() const;
   EditNote edit_note(int index) const;           // of a command of the stack; of the last step of one that has several
   bool recovered() const { return recovered_; }  // what a crash left, not saved yet
 
@@ -75,6 +77,7 @@ class Session : public QObject {
   QString path_;
   QUndoStack undo_;
   bool recovered_ = false;
+  bool made_ = false;      // by the program, and never saved
   bool protected_ = true;  // the last change could be written to recovery_path()
 };
 

@@ -5,7 +5,7 @@
 // connections; its objects are children of the workbench.
 #define BOLE_FEATURES(feature)                                                                                  \
   feature(sample) feature(stem_review) feature(stem_edit) feature(view_tools) feature(measure) feature(rows)    \
-      feature(loops) feature(figure_export) feature(walk) feature(pictures) feature(novel_view) feature(traits) \
+      feature(loops) feature(figure_export) feature(walk) feature(first_look) feature(pictures) feature(novel_view) feature(traits) \
           feature(run) feature(history) feature(field_check)
 
 namespace bole::desktop {

@@ -25,7 +25,8 @@
 #include "shell/layouts.h"
 #include "shell/recent_files.h"
 #include "shell/shell_commands.h"
-#include "shell/welcome.h"
+#include "shell/start_page.h"
+#include "shell/thumbnails.h"
 #include "views/chart_view.h"
 #include "views/profile_view.h"
 #include "views/scene_view.h"
@@ -42,7 +43,8 @@ MainWindow::MainWindow() {
   install_shell_commands(*this);
   install_features(*this);
   make_menus();
-  show_welcome(*this);
+  show_start_page(*this);
+  keep_thumbnails(*this);
   commands().update();
 }
 
@@ -92,20 +94,34 @@ void MainWindow::open(const QString& path) {
     take_up(path, {});
   else
     take_up(pipeline_path_for_file(path), [&] { return document_for_file(path); });
+  // The pipeline, once it is kept: until then what it was made for.
+  note_recent(QFileInfo::exists(session().path()) ? session().path() : path);
   document_is_open();
-  if (QFileInfo::exists(session().path())) note_recent_file(session().path());
+}
+
+void MainWindow::restore(const QString& path) {
+  if (!may_lose_changes()) return;
+  session().recover(path);
+  if (QFileInfo::exists(path)) note_recent(path);
+  document_is_open();
+}
+
+void MainWindow::note_recent(const QString& path) {
+  recent_entry_ = QFileInfo(path).absoluteFilePath();
+  note_recent_file(path);
 }
 
 void MainWindow::open_made(const pipeline::PipelineDocument& document, const QString& path) {
   if (!may_lose_changes()) return;
   take_up(path, [&] { return document; });
+  recent_entry_.clear();
   document_is_open();
   refresh();
 }
 
 void MainWindow::save(const QString& path) {
   session().save(path);
-  note_recent_file(path);
+  note_recent(path);
   Q_EMIT document_saved();
 }
 
@@ -134,10 +150,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 bool MainWindow::may_lose_changes() {
-  if (!session().has_document() || session().undo_stack().isClean()) return true;
-  const bool made_here =
-      !QFileInfo::exists(session().path()) && session().undo_stack().count() == 0 && !session().recovered();
-  if (made_here) return true;  // a pipeline that the program made and nobody changed
+  if (!session().changed()) return true;
   const auto answer =
       QMessageBox::question(this, tr("Changes are not saved"), tr("Save the changes to the pipeline?"),
                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);

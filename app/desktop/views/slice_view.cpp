@@ -27,7 +27,7 @@ QString quality_text(const std::string& quality) {
 
 SliceView::SliceView(Selection& selection, QWidget* parent)
     : QWidget(parent), selection_(selection), height_(new QDoubleSpinBox(this)), thickness_(new QDoubleSpinBox(this)) {
-  setMinimumSize(200, 220);
+  setMinimumSize(150, 130);
   setMouseTracking(true);
   height_->setRange(0, 60);
   height_->setSingleStep(0.1);

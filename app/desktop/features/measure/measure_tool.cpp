@@ -12,6 +12,7 @@
 
 #include "base/atomic_file.h"
 #include "features/measure/measure_panel.h"
+#include "look/last_folder.h"
 #include "stems/core/fit/circle_fit.h"
 #include "views/scene_view.h"
 #include "workbench/workbench.h"
@@ -96,7 +97,9 @@ MeasureTool::MeasureTool(Workbench& bench) : QObject(&bench), bench_(bench), pan
   });
   connect(panel_, &MeasurePanel::export_asked, this, [this] {
     const QString path =
-        QFileDialog::getSaveFileName(&bench_, tr("Export measurements"), "measurements.csv", tr("Tables (*.csv)"));
+        QFileDialog::getSaveFileName(&bench_, tr("Export measurements"), in_last_folder("export", "measurements.csv"),
+                                     tr("Tables (*.csv)"));
+    note_folder("export", path);
     if (!path.isEmpty()) bench_.guarded([&] { export_csv(path); });
   });
   panel_->show_list(list_);
