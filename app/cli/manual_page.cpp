@@ -47,7 +47,7 @@ std::string command_lines(const CommandEntry& command) {
   return text;
 }
 
-std::string joined(const std::vector<std::string>& words) {
+std::string comma_list(const std::vector<std::string>& words) {
   std::string list;
   for (const auto& word : words) list += (list.empty() ? "" : ", ") + word;
   return list;
@@ -80,7 +80,7 @@ std::string manual_page(const std::string& description, const std::vector<Comman
       "before it.\n.TP\n\\fIDIR\\fR/FINISHED_EARLY.txt\nThe run was asked to finish early: the survey is not "
       "complete.\n";
   text += ".SH ENVIRONMENT\n.TP\nBOLE_RESOURCE_DIR\nThe folder of sensors, plots and fields that come with Bole.\n";
-  text += ".SH PIPELINES\nThat come with Bole: " + roff(joined(documents::shipped_pipelines())) + ".\n";
+  text += ".SH PIPELINES\nThat come with Bole: " + roff(comma_list(documents::shipped_pipelines())) + ".\n";
   text +=
       ".SH EXAMPLES\n.nf\nbole survey plot.laz \\-\\-out survey\nbole run stem_map_from_cloud \\-\\-set "
       "scan.file=plot.laz \\-\\-out survey\n.fi\n";

@@ -7,6 +7,9 @@
 namespace bole {
 inline namespace base {
 
+// Half the width of a 95 % interval in standard deviations of a normal distribution.
+inline constexpr double z_95 = 1.959964;
+
 // The middle value, of an even number the mean of the two in the middle; NaN without any. Values must be numbers.
 double median(std::vector<double> values);
 

@@ -11,6 +11,9 @@
 namespace bole {
 inline namespace cloud {
 
+// Many units give accelerations in multiples of it, m/s2.
+inline constexpr double standard_gravity = 9.80665;
+
 // In the axes of the unit, on the clock of the frames.
 struct InertialSample {
   double time_s = 0;

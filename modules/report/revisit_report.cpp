@@ -27,7 +27,7 @@ const OptionTable& option_table(const RevisitReportOptions*) {
 
 namespace {
 
-const io::Decimals& decimals() {
+const io::Decimals& growth_decimals() {
   static const io::Decimals d{{"x_m", 4},
                               {"y_m", 4},
                               {"dbh1_cm", 2},
@@ -98,7 +98,7 @@ void write_page(const Table& growth, const Table& values, const Run& run, Report
 pipeline::StageResult write_revisit_report(const DataSet& inputs, const RevisitReportOptions& o, const Run& run) {
   ReportWriter writer(run);
   const Table &growth = inputs.table("growth"), &values = inputs.table("values");
-  writer.write("growth.csv", [&](const auto& path) { io::write_table(path, growth, decimals()); });
+  writer.write("growth.csv", [&](const auto& path) { io::write_table(path, growth, growth_decimals()); });
   writer.write("growth_values.csv", [&](const auto& path) { io::write_table(path, values); });
   if (o.figures) {
     writer.attempt("the map", [&] {

@@ -30,7 +30,7 @@ const OptionTable& option_table(const RowsReportOptions*) {
 namespace {
 
 // Tenths of a millimetre and thousandths of a degree.
-const io::Decimals& decimals() {
+const io::Decimals& row_decimals() {
   static const io::Decimals d{{"x_m", 4},          {"y_m", 4},          {"x0_m", 4},      {"y0_m", 4},
                               {"x1_m", 4},         {"y1_m", 4},         {"angle_deg", 4}, {"angle_se_deg", 4},
                               {"angle_lo_deg", 4}, {"angle_hi_deg", 4}, {"spacing_m", 4}, {"spacing_sd_m", 4},
@@ -120,7 +120,7 @@ class RowsReport {
 
  private:
   void add_table(const std::string& file, const Table& table) {
-    writer_.write(file, [&](const auto& path) { io::write_table(path, table, decimals()); });
+    writer_.write(file, [&](const auto& path) { io::write_table(path, table, row_decimals()); });
   }
 
   void draw() {

@@ -48,7 +48,7 @@ constexpr std::array<File, 8> files{{
 }};
 
 // Hundredths of a millimetre are more than any receiver knows.
-io::Decimals decimals_of(const Table& table) {
+io::Decimals decimals_of_log(const Table& table) {
   io::Decimals d;
   for (const auto& column : table.columns())
     if (column.name.ends_with("_m") || column.name == "time_s") d[column.name] = 5;
@@ -118,7 +118,7 @@ class SteeringReport {
       if (inputs_.has(file.port))
         writer_.write(file.name, [&](const auto& path) {
           const auto& table = inputs_.table(file.port);
-          io::write_table(path, table, decimals_of(table));
+          io::write_table(path, table, decimals_of_log(table));
         });
     if (inputs_.has("lines")) write_lines();
     if (o_.figures && inputs_.has("errors")) writer_.attempt("error curves", [&] { draw(); });

@@ -28,6 +28,8 @@ if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
 
+include(BoleUnity)
+
 find_program(BOLE_LLD ld.lld)
 if(BOLE_LLD)
   add_link_options(-fuse-ld=lld)
@@ -41,7 +43,13 @@ find_package(nlohmann_json REQUIRED)
 
 # What our own sources are compiled with; foreign and generated code (VTK wrappers) is not held to it.
 add_library(bole_build INTERFACE)
-target_compile_options(bole_build INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor $<$<BOOL:${BOLE_WARNINGS_AS_ERRORS}>:-Werror>)
+set(shadowing -Wshadow)
+if(BOLE_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # A local name may be that of a constant in a neighbour's anonymous namespace, and a type of such a namespace a member of a class
+  # that its .cpp file alone defines.
+  set(shadowing -Wshadow=local -Wno-subobject-linkage)
+endif()
+target_compile_options(bole_build INTERFACE -Wall -Wextra -Wpedantic ${shadowing} -Wnon-virtual-dtor $<$<BOOL:${BOLE_WARNINGS_AS_ERRORS}>:-Werror>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # GCC 12 sees overlapping copies in plain std::string additions (GCC bug 105651), and dangling or overflowing accesses in vectors that it inlined.
   target_compile_options(bole_build INTERFACE -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow -Wno-stringop-overread)
@@ -70,20 +78,20 @@ if(BOLE_FUZZ)
 endif()
 
 include(BolePrecompiled)
-include(BoleUnity)
 
-# bole_module(NAME [DEPENDS module...] [PUBLIC target...] [PRIVATE target...] [OPTIONS option...] [STAGES])
+# bole_module(NAME [DEPENDS module...] [PUBLIC target...] [PRIVATE target...] [SOURCES file...] [OPTIONS option...] [STAGES])
 #   A shared library bole_NAME from modules/NAME/*.cpp and modules/NAME/core/**/*.cpp (stages.cpp and *_stages.cpp apart). Headers are included
 #   as "NAME/..." or "NAME/core/...". PUBLIC are libraries seen in headers, PRIVATE those of .cpp files only.
-#   OPTIONS are compile options of this module alone.
+#   SOURCES are files beside those. OPTIONS are compile options of this module alone.
 #   STAGES: modules/NAME/stages.cpp defines `void bole::NAME::register_stages(pipeline::StageRegistry&)`; it goes into bole_stages,
 #   and modules/NAME/*_stages.cpp with it.
 function(bole_module name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "STAGES" "" "DEPENDS;PUBLIC;PRIVATE;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "STAGES" "" "DEPENDS;PUBLIC;PRIVATE;SOURCES;OPTIONS")
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   file(GLOB_RECURSE core_sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/core/*.cpp)
   list(APPEND sources ${core_sources})
   list(FILTER sources EXCLUDE REGEX "[/_]stages\\.cpp$")
+  list(APPEND sources ${arg_SOURCES})
   add_library(bole_${name} SHARED ${sources})
   add_library(bole::${name} ALIAS bole_${name})
   target_include_directories(bole_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/modules>)
@@ -97,6 +105,7 @@ function(bole_module name)
   else()
     bole_precompile(bole_${name})
   endif()
+  bole_unity(bole_${name})
   install(TARGETS bole_${name} LIBRARY DESTINATION ${BOLE_INSTALL_LIBRARY_DIR})
   if(arg_STAGES)
     set_property(GLOBAL APPEND PROPERTY BOLE_STAGE_MODULES ${name})
@@ -122,13 +131,13 @@ function(bole_stages_library)
   add_library(bole::stages ALIAS bole_stages)
   target_link_libraries(bole_stages PUBLIC bole::pipeline PRIVATE ${modules} $<BUILD_INTERFACE:bole_build>)
   bole_precompile(bole_stages)
+  bole_unity(bole_stages DEPTH 0)
   install(TARGETS bole_stages LIBRARY DESTINATION ${BOLE_INSTALL_LIBRARY_DIR})
 endfunction()
 
-# bole_tests(NAME [LINK target...] [UNITY n]) : one GoogleTest program from the *_test.cpp (and *Test.cxx) of this folder; each case is a
-# ctest. UNITY: n files are compiled as one.
+# bole_tests(NAME [LINK target...]) : one GoogleTest program from the *_test.cpp (and *Test.cxx) of this folder; each case is a ctest.
 function(bole_tests name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "UNITY" "LINK")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "LINK")
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp ${CMAKE_CURRENT_SOURCE_DIR}/*Test.cxx)
   if(NOT sources)
     return()
@@ -138,9 +147,7 @@ function(bole_tests name)
   target_link_libraries(${name}_tests PRIVATE ${arg_LINK} GTest::gmock_main bole_build)
   target_compile_definitions(${name}_tests PRIVATE BOLE_SOURCE_DIR="${CMAKE_SOURCE_DIR}" BOLE_SHARED_DATA_DIR="${CMAKE_SOURCE_DIR}/../shared/data")
   bole_precompile(${name}_tests TEST)
-  if(arg_UNITY)
-    bole_unity(${name}_tests BATCH ${arg_UNITY})
-  endif()
+  bole_unity(${name}_tests)
   gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
 endfunction()
 

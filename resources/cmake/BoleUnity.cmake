@@ -1,24 +1,47 @@
-# Unity builds: the files of a folder are compiled as one. Most of the time of a file goes into the headers of VTK, Qt and Eigen, which are
-# then read once a folder. Names in anonymous namespaces must differ within a folder, as they should for its readers.
-option(BOLE_UNITY "Compile the files of a folder together, where a target allows it" ON)
+# Unity builds: files of a folder are compiled together. Most of the time of a file goes into the headers of Eigen, VTK and Qt, which
+# are then read once for all of them. Names in anonymous namespaces must differ within a folder, as they should for its readers.
+# Who works on one file for long builds faster with -DBOLE_UNITY=OFF, where each file is compiled by itself.
+option(BOLE_UNITY "Compile the files of a folder together" ON)
 
-# bole_unity(TARGET [BATCH n]): one unit per first folder below the target's; with BATCH units of n files instead, for targets
-# whose files lie in one folder.
+# bole_unity(TARGET [MOST n] [DEPTH n]): the files of each folder are compiled together, at most MOST (8) at once. DEPTH says how many
+# folders below the target's are told apart: 0 takes all files as of one folder, 1 what lies below a first folder as files of that.
 function(bole_unity target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "BATCH" "")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "MOST;DEPTH" "")
   if(NOT BOLE_UNITY)
     return()
   endif()
-  if(arg_BATCH)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${arg_BATCH})
-    return()
+  if(NOT arg_MOST)
+    set(arg_MOST 8)
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.(cpp|cxx)$")
+  set(folders "")
   foreach(source IN LISTS sources)
-    cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE relative)
-    if(relative MATCHES "^([^./][^/]*)/.*\\.cpp$")
-      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${CMAKE_MATCH_1})
+    cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+    cmake_path(IS_PREFIX CMAKE_SOURCE_DIR "${source}" NORMALIZE ours)
+    if(ours AND NOT source MATCHES "^${CMAKE_BINARY_DIR}/") # generated files stay alone
+      cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE relative)
+      cmake_path(GET relative PARENT_PATH folder)
+      if(arg_DEPTH STREQUAL "0")
+        set(folder "")
+      elseif(arg_DEPTH STREQUAL "1")
+        string(REGEX MATCH "^[^/]*" folder "${folder}")
+      endif()
+      string(MAKE_C_IDENTIFIER "in_${folder}" folder)
+      list(APPEND folders ${folder})
+      list(APPEND files_${folder} ${source})
     endif()
+  endforeach()
+  list(REMOVE_DUPLICATES folders)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  foreach(folder IN LISTS folders)
+    list(LENGTH files_${folder} count)
+    math(EXPR units "(${count} + ${arg_MOST} - 1) / ${arg_MOST}")
+    set(at 0)
+    foreach(source IN LISTS files_${folder}) # neighbours in the alphabet stay together, and no unit is much smaller than the others
+      math(EXPR unit "${at} * ${units} / ${count}")
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${folder}_${unit})
+      math(EXPR at "${at} + 1")
+    endforeach()
   endforeach()
 endfunction()

@@ -66,13 +66,22 @@ class Includes:
         return b"".join(self.digests[f] for f in sorted(seen))
 
 
+def singles(entry):
+    """A unit of files that are compiled together as one entry for each of them: the analyzer looks at the main file alone."""
+    unit = pathlib.Path(entry["file"])
+    if unit.parent.name != "Unity" or not unit.exists():
+        return [entry]
+    files = re.findall(r'^#include "(.+)"$', unit.read_text(), re.MULTILINE)
+    return [{**entry, "file": f, "command": entry["command"].replace(str(unit), f)} for f in files]
+
+
 def commands(build):
     """Compile commands by source, and the same in BUILD/lint for clang-tidy: without the launcher and GCC's precompiled headers, which clang cannot
     read. So a source that does not include what it uses is found, too."""
     database = build / "compile_commands.json"
     if not database.exists():
         sys.exit(f"{database} is absent: configure first (cmake --preset ci)")
-    entries = json.loads(database.read_text())
+    entries = [single for entry in json.loads(database.read_text()) for single in singles(entry)]
     for entry in entries:
         entry["command"] = re.sub(r"^env \S+ ccache | -Winvalid-pch| -include \S*cmake_pch\.hxx", "", entry["command"])
     (build / "lint").mkdir(exist_ok=True)

@@ -10,6 +10,16 @@
 
 namespace bole::synthetic {
 
+// 9 x 7 squares of 3 cm.
+inline BoardFacts small_board() {
+  BoardFacts facts;
+  facts.columns = 9;
+  facts.rows = 7;
+  facts.square = 0.03;
+  facts.marker = 0.022;
+  return facts;
+}
+
 // Brightness (0 black, 1 white) of a place of the board, below zero outside of it. x to the right and y up on the
 // print; (0, 0) is its lower left corner. The markers are counted from the upper row, or from the lower one.
 inline std::function<double(double, double)> board_print(const BoardFacts& facts, const Eigen::Vector2d& corner,

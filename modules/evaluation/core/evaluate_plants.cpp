@@ -9,12 +9,11 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/no_number.h"
 #include "cloud/table_columns.h"
 
 namespace bole::evaluation {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // SPEC C: accuracy in percent.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> published{{{"height_mm", "97.94"},
@@ -76,7 +75,7 @@ struct Sums {
 
   double r2() const {
     const double a = n * xx - x * x, b = n * yy - y * y, c = n * xy - x * y;
-    return n >= 3 && a > 0 && b > 0 ? c * c / (a * b) : nan;
+    return n >= 3 && a > 0 && b > 0 ? c * c / (a * b) : no_number;
   }
 };
 
@@ -144,7 +143,7 @@ PlantEvaluation evaluate_plants(const Table& estimate, const Table& reference) {
     out.add(name + "_bias", s.error / s.n, unit);
     out.add(name + "_rmse", std::sqrt(s.square / s.n), unit);
     out.add(name + "_r2", s.r2(), "");
-    out.add(name + "_in_interval", s.intervals > 0 ? 100 * s.held / s.intervals : nan, "%");
+    out.add(name + "_in_interval", s.intervals > 0 ? 100 * s.held / s.intervals : no_number, "%");
   }
   if (traits == 0) throw bad_input("the tables share no column of numbers with values", "height_mm and the like");
   PlantEvaluation result;

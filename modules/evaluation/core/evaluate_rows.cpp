@@ -8,19 +8,20 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "base/no_number.h"
 #include "evaluation/core/assignment.h"
 #include "evaluation/core/evaluate_stems.h"
 
 namespace bole::evaluation {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180, nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double deg = std::numbers::pi / 180;
 constexpr double parallel_deg = 15, right_share = 0.9;
 using Eigen::Vector2d;
 
 double angle_difference_deg(double a, double b) { return std::abs(std::remainder(a - b, 180.0)); }
 
-double share(double part, double whole) { return whole > 0 ? 100 * part / whole : nan; }
+double share(double part, double whole) { return whole > 0 ? 100 * part / whole : no_number; }
 
 // y = a x + b, or x = a y + b where the plants reach further north than east.
 double fitted_angle_deg(const std::vector<Vector2d>& points) {
@@ -33,7 +34,7 @@ double fitted_angle_deg(const std::vector<Vector2d>& points) {
     xy += d.x() * d.y();
     yy += d.y() * d.y();
   }
-  if (points.size() < 2 || xx + yy <= 0) return nan;
+  if (points.size() < 2 || xx + yy <= 0) return no_number;
   return (xx >= yy ? std::atan2(xy, xx) : std::atan2(yy, xy)) / deg;
 }
 
@@ -47,13 +48,13 @@ class MatchTable {
     angle_.push_back(angle);
     ref_angle_.push_back(ref_angle);
     const double error =
-        std::isfinite(angle) && std::isfinite(ref_angle) ? std::remainder(angle - ref_angle, 180.0) : nan;
+        std::isfinite(angle) && std::isfinite(ref_angle) ? std::remainder(angle - ref_angle, 180.0) : no_number;
     error_.push_back(error);
     shared_.push_back(shared);
   }
   // Angle errors of the matched rows.
   void measure(SummaryRows& summary) const {
-    double sum = 0, least = nan, most = nan, square = 0, bias = 0;
+    double sum = 0, least = no_number, most = no_number, square = 0, bias = 0;
     int n = 0;
     for (const double e : error_)
       if (std::isfinite(e)) {
@@ -64,11 +65,11 @@ class MatchTable {
         least = std::isfinite(least) ? std::min(least, std::abs(e)) : std::abs(e);
         most = std::isfinite(most) ? std::max(most, std::abs(e)) : std::abs(e);
       }
-    summary.add("angle_error_mean", n > 0 ? sum / n : nan, "deg");
+    summary.add("angle_error_mean", n > 0 ? sum / n : no_number, "deg");
     summary.add("angle_error_min", least, "deg");
     summary.add("angle_error_max", most, "deg");
-    summary.add("angle_error_rmse", n > 0 ? std::sqrt(square / n) : nan, "deg");
-    summary.add("angle_bias", n > 0 ? bias / n : nan, "deg");
+    summary.add("angle_error_rmse", n > 0 ? std::sqrt(square / n) : no_number, "deg");
+    summary.add("angle_bias", n > 0 ? bias / n : no_number, "deg");
   }
   Table table() const {
     Table t;
@@ -154,12 +155,12 @@ RowEvaluation by_plants(const Table& estimate, const Table& reference, const Eva
       table.add("matched", id, most->first, fitted_angle_deg(plants), fitted_angle_deg(truth.rows.at(most->first)),
                 most->second / of);
     } else {
-      table.add("false", id, "", fitted_angle_deg(plants), nan, 0);
+      table.add("false", id, "", fitted_angle_deg(plants), no_number, 0);
     }
   }
   for (const auto& [id, plants] : truth.rows) {
     standing += plants.size();
-    if (!used[id]) table.add("missed", "", id, nan, fitted_angle_deg(plants), 0);
+    if (!used[id]) table.add("missed", "", id, no_number, fitted_angle_deg(plants), 0);
   }
   summary.add("rows", static_cast<double>(truth.rows.size()), "");
   summary.add("rows_found", static_cast<double>(found.rows.size()), "");
@@ -213,9 +214,9 @@ RowEvaluation by_lines(const Table& estimate, const Table& reference, const Eval
     table.add("matched", found[p.left].id, truth[p.right].id, found[p.left].angle_deg, truth[p.right].angle_deg, 1);
   }
   for (std::size_t i = 0; i < found.size(); ++i)
-    if (!left[i]) table.add("false", found[i].id, "", found[i].angle_deg, nan, 0);
+    if (!left[i]) table.add("false", found[i].id, "", found[i].angle_deg, no_number, 0);
   for (std::size_t j = 0; j < truth.size(); ++j)
-    if (!right[j]) table.add("missed", "", truth[j].id, nan, truth[j].angle_deg, 0);
+    if (!right[j]) table.add("missed", "", truth[j].id, no_number, truth[j].angle_deg, 0);
   const auto n = static_cast<double>(pairs.size());
   summary.add("rows", static_cast<double>(truth.size()), "");
   summary.add("rows_found", static_cast<double>(found.size()), "");

@@ -8,14 +8,14 @@
 namespace bole::ground {
 namespace {
 
-constexpr std::uint32_t none = ~std::uint32_t{0};
+constexpr std::uint32_t no_cell = ~std::uint32_t{0};
 
 // The nearest known cell of each cell (to within a fraction of a cell): distances are handed on in two sweeps over the
 // grid, as in Danielsson's sequential distance transform.
 class NearestKnown {
  public:
   NearestKnown(const GridShape& shape, const std::vector<float>& height)
-      : shape_(shape), nearest_(shape.cells(), none) {
+      : shape_(shape), nearest_(shape.cells(), no_cell) {
     for (std::size_t c = 0; c < shape.cells(); ++c)
       if (!std::isnan(height[c])) nearest_[c] = static_cast<std::uint32_t>(c);
     for (int iy = 0; iy < shape.ny; ++iy) sweep_row(iy, -1);
@@ -25,8 +25,8 @@ class NearestKnown {
   std::uint32_t of(std::size_t cell) const { return nearest_[cell]; }
 
   double distance_m(std::size_t cell) const {
-    return nearest_[cell] == none ? std::numeric_limits<double>::infinity()
-                                  : shape_.cell_m * std::sqrt(squared(cell, nearest_[cell]));
+    return nearest_[cell] == no_cell ? std::numeric_limits<double>::infinity()
+                                     : shape_.cell_m * std::sqrt(squared(cell, nearest_[cell]));
   }
 
  private:
@@ -41,7 +41,7 @@ class NearestKnown {
     if (!shape_.contains(jx, jy)) return;
     const auto cell = shape_.index(ix, iy);
     const auto candidate = nearest_[shape_.index(jx, jy)];
-    if (candidate != none && (nearest_[cell] == none || squared(cell, candidate) < squared(cell, nearest_[cell])))
+    if (candidate != no_cell && (nearest_[cell] == no_cell || squared(cell, candidate) < squared(cell, nearest_[cell])))
       nearest_[cell] = candidate;
   }
 

@@ -8,7 +8,7 @@
 namespace bole::ground {
 namespace {
 
-constexpr std::uint32_t none = ~std::uint32_t{0};
+constexpr std::uint32_t no_point = ~std::uint32_t{0};
 constexpr double min_falling_share = 0.8;  // of the pairs across the rim that show a step
 constexpr double min_falling_rim = 4;      // such pairs by the side of a square of the object's size, in cells
 constexpr int max_rounds = 6;              // the parts of a steep roof come off from its ridge down
@@ -18,7 +18,7 @@ constexpr int reach_cells = 2;
 
 std::vector<char> raised_objects(const std::vector<LowPoint>& candidates, const GridShape& shape,
                                  const RaisedLimits& limits, const Run& run) {
-  std::vector<std::uint32_t> at(shape.cells(), none);
+  std::vector<std::uint32_t> at(shape.cells(), no_point);
   for (std::uint32_t i = 0; i < candidates.size(); ++i) at[candidates[i].cell] = i;
   // f(other) for the candidates near i, each pair once.
   const auto for_each_pair = [&](const auto& f) {
@@ -30,7 +30,7 @@ std::vector<char> raised_objects(const std::vector<LowPoint>& candidates, const 
         for (int dx = dy == 0 ? 1 : -reach_cells; dx <= reach_cells; ++dx) {
           if (!shape.contains(ix + dx, iy + dy)) continue;
           const auto j = at[shape.index(ix + dx, iy + dy)];
-          if (j != none) f(i, j);
+          if (j != no_point) f(i, j);
         }
     }
   };

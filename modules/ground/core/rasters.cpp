@@ -10,7 +10,7 @@
 namespace bole::ground {
 namespace {
 
-constexpr float missing = std::numeric_limits<float>::quiet_NaN();
+constexpr float no_height = std::numeric_limits<float>::quiet_NaN();
 
 Raster same_place(const Raster& dem, double cell_m, std::string quantity) {
   Raster out;
@@ -18,7 +18,7 @@ Raster same_place(const Raster& dem, double cell_m, std::string quantity) {
   out.cell_m = cell_m, out.quantity = std::move(quantity);
   out.nx = static_cast<int>(std::ceil(dem.nx * dem.cell_m / cell_m - 1e-9)),
   out.ny = static_cast<int>(std::ceil(dem.ny * dem.cell_m / cell_m - 1e-9));
-  out.values.assign(static_cast<std::size_t>(out.nx) * static_cast<std::size_t>(out.ny), missing);
+  out.values.assign(static_cast<std::size_t>(out.nx) * static_cast<std::size_t>(out.ny), no_height);
   return out;
 }
 

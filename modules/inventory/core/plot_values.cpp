@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/no_number.h"
+#include "base/statistics.h"
 #include "cloud/stem_rows.h"
 #include "cloud/table_columns.h"
 #include "inventory/core/measures.h"
@@ -14,7 +15,6 @@
 namespace bole::inventory {
 namespace {
 
-constexpr double m2_per_ha = 10000;
 constexpr double dominant_per_ha = 100;
 
 void take_diameters(const std::vector<SizedStem>& stems, PlotValues& m) {

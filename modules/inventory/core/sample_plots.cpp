@@ -56,7 +56,6 @@ const OptionTable& option_table(const SampleOptions*) {
 namespace {
 
 constexpr std::uint64_t place_stream = 41, distance_stream = 42;
-constexpr double m2_per_ha = 10'000;
 
 struct Tree {
   Eigen::Vector2d at;  // in axes along the sides of the stand, from its middle
@@ -182,13 +181,13 @@ class Sampler {
 };
 
 // Mean and standard deviation (n - 1) of single plots, beside the truth, in percent of it.
-struct Spread {
+struct Scatter {
   double mean = 0, bias_pct = 0, bias_se_pct = 0, sd_pct = 0;
 };
 
-Spread spread_of(const std::vector<double>& values, double truth) {
+Scatter scatter_of(const std::vector<double>& values, double truth) {
   const double n = static_cast<double>(values.size());
-  Spread s;
+  Scatter s;
   for (const double v : values) s.mean += v / n;
   double squares = 0;
   for (const double v : values) squares += (v - s.mean) * (v - s.mean);
@@ -228,8 +227,8 @@ class Tables {
     const double n = static_cast<double>(stand.trees.size());
     summary_.edge.emplace_back(choice_name(edge));
     summary_.add({{"radius_m", radius_m}, {"plots", static_cast<double>(plots.size())}, {"partial_pct", partial}});
-    add_measure("stems_per_ha", n * per_ha, spread_of(stems, n * per_ha), 100 / std::sqrt(share * n));
-    add_measure("basal_area_m2_per_ha", basal * per_ha, spread_of(basal_area, basal * per_ha),
+    add_measure("stems_per_ha", n * per_ha, scatter_of(stems, n * per_ha), 100 / std::sqrt(share * n));
+    add_measure("basal_area_m2_per_ha", basal * per_ha, scatter_of(basal_area, basal * per_ha),
                 100 * std::sqrt(squares / share) / basal);
   }
   void move_to(SampleStudy& study) && {
@@ -256,7 +255,7 @@ class Tables {
       return t;
     }
   };
-  void add_measure(const std::string& name, double truth, const Spread& s, double poisson_pct) {
+  void add_measure(const std::string& name, double truth, const Scatter& s, double poisson_pct) {
     summary_.add({{name + "_true", truth},
                   {name + "_mean", s.mean},
                   {name + "_bias_pct", s.bias_pct},

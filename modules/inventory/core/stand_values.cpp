@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/no_number.h"
+#include "base/statistics.h"
 #include "inventory/core/measures.h"
 
 namespace bole::inventory {
@@ -49,9 +50,9 @@ StemValues values_of(const SizedStem& s, double diameter_relative_sd, const std:
   v.height_m = v.by_curve ? v.curve_height_m : s.height_m;
   v.own_volume = std::isfinite(s.volume_m3);
   v.volume_m3 = v.own_volume ? s.volume_m3 : form_volume_m3(s.dbh_cm, v.height_m, assumed.breast_height_m);
-  v.volume_half_m3 = z_95 * v.volume_m3 *
-                     std::hypot(own_relative_sd(v, diameter_relative_sd, curve),
-                                v.own_volume ? 0 : assumed.form_sd_pct / 100);
+  v.volume_half_m3 =
+      z_95 * v.volume_m3 *
+      std::hypot(own_relative_sd(v, diameter_relative_sd, curve), v.own_volume ? 0 : assumed.form_sd_pct / 100);
   return v;
 }
 

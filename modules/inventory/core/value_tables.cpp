@@ -8,11 +8,11 @@
 #include "base/no_number.h"
 #include "base/option_text.h"
 #include "cloud/table_columns.h"
+#include "inventory/core/measures.h"
 
 namespace bole::inventory {
 namespace {
 
-constexpr double m2_per_ha = 10000;
 constexpr HalfWidths no_interval{no_number, no_number};
 
 class ValueRows {

@@ -44,7 +44,7 @@ struct MapContent {
   bool north_known = true;
 };
 
-constexpr double side_mm = 17, legend_mm = 12;
+constexpr double side_mm = 17, growth_legend_mm = 12;
 
 MapContent content_of(const Table& table, bool north_known) {
   const auto x = numbers_or_nan(table, "x_m"), y = numbers_or_nan(table, "y_m"),
@@ -115,7 +115,7 @@ Figure revisit_map(const Table& growth, bool north_known, double width_mm) {
                 "Trees in the axes of the first survey. Filled discs: found again, coloured by the growth of their "
                 "diameter.",
                 width_mm,
-                frame.box.y1 + axis_space_below_mm + legend_mm,
+                frame.box.y1 + axis_space_below_mm + growth_legend_mm,
                 true,
                 {}};
   figure.draw = [content = std::move(content), frame, width_mm](Canvas& canvas) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t max_lines = 150;  // of each kind: more hide the picture
 constexpr int max_width_px = 560;
-constexpr double gap_mm = 3, paleness = 0.45;
+constexpr double view_gap_mm = 3, paleness = 0.45;
 constexpr Color kept_ink = ink::primary, refused_ink = ink::poor;
 
 // Made smaller by a whole number, and pale, so that lines stand out.
@@ -108,8 +108,8 @@ std::optional<MatchPair> typical_pair(const Table& matches) {
 }
 
 Figure match_figure(const MatchPair& pair, const ColorImage& a, const ColorImage& b, double width_mm) {
-  const double side_mm = (width_mm - gap_mm) / 2;
-  const auto left = side_of(a, 0, side_mm), right = side_of(b, side_mm + gap_mm, side_mm);
+  const double side_mm = (width_mm - view_gap_mm) / 2;
+  const auto left = side_of(a, 0, side_mm), right = side_of(b, side_mm + view_gap_mm, side_mm);
   const std::size_t most = std::max(pair.kept.size(), pair.refused.size());
   Figure figure;
   figure.name = "matches";

@@ -17,14 +17,14 @@ constexpr std::int32_t plant_part = 1;
 constexpr std::size_t max_plant_dots = 40000, max_other_dots = 10000;  // a vector figure with more opens slowly
 constexpr double panel_gap_mm = 4;
 
-struct Dot {
+struct PlantDot {
   Eigen::Vector3d at;
   Color color;
   bool plant = true;
 };
 
 struct Drawn {
-  std::vector<Dot> dots;
+  std::vector<PlantDot> dots;
   Eigen::AlignedBox3d extent;  // of the plant
 };
 
@@ -82,7 +82,7 @@ void draw_dots(Canvas& canvas, const Frame& frame, const Drawn& drawn, int verti
   auto order = drawn.dots;
   const int depth_axis = vertical_axis == 2 ? 1 : 2;
   // What is nearer to the eye is drawn later: above in the plan, to the front from the side.
-  std::ranges::stable_sort(order, [&](const Dot& a, const Dot& b) {
+  std::ranges::stable_sort(order, [&](const PlantDot& a, const PlantDot& b) {
     return vertical_axis == 2 ? a.at[depth_axis] > b.at[depth_axis] : a.at[depth_axis] < b.at[depth_axis];
   });
   for (const auto& dot : order) canvas.dots(std::array{frame.map(dot.at.x(), dot.at[vertical_axis])}, 0.35, dot.color);

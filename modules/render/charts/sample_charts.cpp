@@ -10,7 +10,7 @@
 namespace bole::render {
 namespace {
 
-constexpr double panel_mm = 52, gap_mm = 16, legend_mm = 7;
+constexpr double sample_panel_mm = 52, sample_gap_mm = 16, sample_legend_mm = 7;
 
 struct Point {
   double radius_m, bias, bias_half, sd, poisson;
@@ -103,17 +103,20 @@ Figure sample_curves(const Table& summary, double width_mm) {
       "Left: mean of all sample plots minus the truth, with 95 % intervals. Right: standard deviation of single plots; "
       "dashed: of trees that stand at random.";
   figure.width_mm = width_mm;
-  figure.height_mm = legend_mm + panel_mm + axis_space_below_mm + 1;
+  figure.height_mm = sample_legend_mm + sample_panel_mm + axis_space_below_mm + 1;
   figure.draw = [lines = std::move(lines)](Canvas& canvas) {
     std::vector<LegendEntry> legend;
     for (std::size_t k = 0; k < lines.size(); ++k) legend.push_back({Symbol::line, edge_color(k), lines[k].first});
     legend.push_back({Symbol::dashed_line, ink::muted, "trees at random"});
     draw_legend_row(canvas, {axis_space_left_mm, 1}, canvas.width_mm() - axis_space_left_mm, legend, 7);
     const auto extent = extent_of(lines);
-    const double width = (canvas.width_mm() - 2 * axis_space_left_mm - 3 - (gap_mm - axis_space_left_mm)) / 2;
-    const double left = axis_space_left_mm, right = left + width + gap_mm;
-    draw_bias(canvas, lines, {{left, legend_mm, left + width, legend_mm + panel_mm}, extent.radius, extent.bias});
-    draw_scatter(canvas, lines, {{right, legend_mm, right + width, legend_mm + panel_mm}, extent.radius, extent.sd});
+    const double width = (canvas.width_mm() - 2 * axis_space_left_mm - 3 - (sample_gap_mm - axis_space_left_mm)) / 2;
+    const double left = axis_space_left_mm, right = left + width + sample_gap_mm;
+    draw_bias(canvas, lines,
+              {{left, sample_legend_mm, left + width, sample_legend_mm + sample_panel_mm}, extent.radius, extent.bias});
+    draw_scatter(
+        canvas, lines,
+        {{right, sample_legend_mm, right + width, sample_legend_mm + sample_panel_mm}, extent.radius, extent.sd});
   };
   return figure;
 }

@@ -10,7 +10,7 @@
 namespace bole::render {
 namespace {
 
-constexpr double gap_mm = 1.2, group_gap_mm = 5, head_mm = 5, name_mm = 4.2, foot_mm = 4.2, legend_mm = 7;
+constexpr double pair_gap_mm = 1.2, group_gap_mm = 5, head_mm = 5, name_mm = 4.2, foot_mm = 4.2, pair_legend_mm = 7;
 constexpr double max_panel_mm = 41, min_panel_mm = 34;
 
 void draw_circle(Canvas& canvas, const Eigen::Vector2d& centre, double radius_mm, const Stroke& stroke) {
@@ -48,18 +48,18 @@ void draw_slice(Canvas& canvas, const ComparedSlice& slice, const Color& color, 
 struct Layout {
   double panel_mm = max_panel_mm;
   std::size_t runs = 1, per_row = 1;
-  double group_mm() const { return static_cast<double>(runs) * panel_mm + static_cast<double>(runs - 1) * gap_mm; }
+  double group_mm() const { return static_cast<double>(runs) * panel_mm + static_cast<double>(runs - 1) * pair_gap_mm; }
   double row_mm() const { return head_mm + name_mm + panel_mm + foot_mm; }
 };
 
 Layout layout_of(std::size_t runs, double width_mm) {
   Layout l;
   l.runs = std::max<std::size_t>(1, runs);
-  const double n = static_cast<double>(l.runs), narrowest_mm = n * min_panel_mm + (n - 1) * gap_mm;
+  const double n = static_cast<double>(l.runs), narrowest_mm = n * min_panel_mm + (n - 1) * pair_gap_mm;
   l.per_row =
       std::max<std::size_t>(1, static_cast<std::size_t>((width_mm + group_gap_mm) / (narrowest_mm + group_gap_mm)));
   const double groups = static_cast<double>(l.per_row), group_mm = (width_mm - (groups - 1) * group_gap_mm) / groups;
-  l.panel_mm = std::min(max_panel_mm, (group_mm - (n - 1) * gap_mm) / n);
+  l.panel_mm = std::min(max_panel_mm, (group_mm - (n - 1) * pair_gap_mm) / n);
   return l;
 }
 
@@ -76,7 +76,7 @@ void draw_tree(Canvas& canvas, const ComparedTree& tree, const std::vector<Slice
   canvas.text({corner.x(), corner.y() + head_mm - 1.4}, title,
               TextStyle{8, ink::text, true}.aligned(HAlign::left, VAlign::baseline));
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    const double x = corner.x() + static_cast<double>(k) * (layout.panel_mm + gap_mm), y = corner.y() + head_mm;
+    const double x = corner.x() + static_cast<double>(k) * (layout.panel_mm + pair_gap_mm), y = corner.y() + head_mm;
     canvas.text({x, y + name_mm - 1.2}, runs[k].name,
                 TextStyle{7, runs[k].color}.aligned(HAlign::left, VAlign::baseline));
     const Box box{x, y + name_mm, x + layout.panel_mm, y + name_mm + layout.panel_mm};
@@ -103,16 +103,16 @@ Figure slices_side_by_side(const std::vector<SliceRun>& runs, const std::vector<
   if (std::ranges::any_of(trees, [](const ComparedTree& t) { return std::isfinite(t.reference_dbh_m); }))
     figure.caption += " Dashed: reference diameter at the reference position.";
   figure.width_mm = width_mm;
-  figure.height_mm = static_cast<double>(rows) * (layout.row_mm() + gap_mm) + legend_mm;
+  figure.height_mm = static_cast<double>(rows) * (layout.row_mm() + pair_gap_mm) + pair_legend_mm;
   figure.draw = [runs, trees, layout](Canvas& canvas) {
     for (std::size_t i = 0; i < trees.size(); ++i)
       draw_tree(canvas, trees[i], runs, layout,
                 {static_cast<double>(i % layout.per_row) * (layout.group_mm() + group_gap_mm),
-                 static_cast<double>(i / layout.per_row) * (layout.row_mm() + gap_mm)});
+                 static_cast<double>(i / layout.per_row) * (layout.row_mm() + pair_gap_mm)});
     std::vector<LegendEntry> entries;
     for (const auto& run : runs) entries.push_back({Symbol::ring, run.color, run.name});
     entries.push_back({Symbol::dashed_line, ink::text, "reference"});
-    draw_legend_row(canvas, {0, canvas.height_mm() - legend_mm + 1}, canvas.width_mm(), entries);
+    draw_legend_row(canvas, {0, canvas.height_mm() - pair_legend_mm + 1}, canvas.width_mm(), entries);
   };
   return figure;
 }

@@ -11,13 +11,13 @@
 namespace bole::render {
 namespace {
 
-constexpr double panel_mm = 38, gap_mm = 6, legend_mm = 7;
+constexpr double run_panel_mm = 38, run_gap_mm = 6, run_legend_mm = 7;
 
-using Curve = std::vector<Eigen::Vector2d>;  // metres along, centimetres beside
+using PassCurve = std::vector<Eigen::Vector2d>;  // metres along, centimetres beside
 
 struct Panel {
   double speed_km_h = 0;
-  std::map<std::int64_t, Curve> passes, receiver;  // by number of pass
+  std::map<std::int64_t, PassCurve> passes, receiver;  // by number of pass
 };
 
 // The first run of each speed.
@@ -76,8 +76,8 @@ void draw_panel(Canvas& canvas, const Panel& panel, const Frame& frame, const St
   axes.y_ticks = 4;
   draw_grid(canvas, frame, axes);
   canvas.line(frame.map(frame.x.lo, 0), frame.map(frame.x.hi, 0), Stroke{ink::muted, 0.2});
-  const auto draw = [&](const Curve& curve, const Color& color, double width_mm) {
-    Curve mapped;
+  const auto draw = [&](const PassCurve& curve, const Color& color, double width_mm) {
+    PassCurve mapped;
     for (const auto& p : curve) mapped.push_back(frame.map(p.x(), p.y()));
     canvas.polyline(mapped, Stroke{color, width_mm});
   };
@@ -105,10 +105,10 @@ void draw_panels(Canvas& canvas, const std::vector<Panel>& panels, const Style& 
     legend.push_back({Symbol::line, pass_color(number), "pass " + std::to_string(number)});
   if (style.receiver) legend.push_back({Symbol::line, ink::muted, "receiver"});
   draw_legend_row(canvas, {axis_space_left_mm, 1}, canvas.width_mm() - axis_space_left_mm, legend, 7);
-  double y = legend_mm;
-  for (std::size_t i = 0; i < panels.size(); ++i, y += panel_mm + gap_mm)
+  double y = run_legend_mm;
+  for (std::size_t i = 0; i < panels.size(); ++i, y += run_panel_mm + run_gap_mm)
     draw_panel(canvas, panels[i],
-               {{axis_space_left_mm, y, canvas.width_mm() - 3, y + panel_mm}, extent.along, extent.error}, style,
+               {{axis_space_left_mm, y, canvas.width_mm() - 3, y + run_panel_mm}, extent.along, extent.error}, style,
                i + 1 == panels.size());
 }
 
@@ -119,7 +119,7 @@ Figure curves(const Table& errors, const char* column, double width_mm, Style st
   Figure figure;
   figure.width_mm = width_mm;
   const double n = static_cast<double>(std::max<std::size_t>(panels.size(), 1));
-  figure.height_mm = legend_mm + n * panel_mm + (n - 1) * gap_mm + axis_space_below_mm + 1;
+  figure.height_mm = run_legend_mm + n * run_panel_mm + (n - 1) * run_gap_mm + axis_space_below_mm + 1;
   figure.draw = [panels = std::move(panels), style](Canvas& canvas) { draw_panels(canvas, panels, style); };
   return figure;
 }

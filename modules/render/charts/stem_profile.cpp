@@ -7,7 +7,7 @@
 namespace bole::render {
 namespace {
 
-const Color hand = hex(0x0073e6);
+const Color hand_profile = hex(0x0073e6);
 
 void draw_curve(Canvas& canvas, const Frame& frame, const StemProfileData& data) {
   std::vector<Eigen::Vector2d> left, right;
@@ -52,9 +52,9 @@ Figure stem_profile(const StemProfileData& data, double width_mm, double height_
         canvas.line(frame.map(-data.dbh_m / 2, data.breast_height_m), frame.map(data.dbh_m / 2, data.breast_height_m),
                     Stroke{ink::accent, 0.6});
       canvas.line(frame.map(-data.reach_m, data.slice_m), frame.map(data.reach_m, data.slice_m),
-                  Stroke{hand, 0.3, {1.4, 0.8}});
+                  Stroke{hand_profile, 0.3, {1.4, 0.8}});
     }
-    TextStyle label{6.5, hand};
+    TextStyle label{6.5, hand_profile};
     label.halo_mm = 0.4;
     canvas.text(frame.map(data.reach_m, data.slice_m) + Eigen::Vector2d(-0.8, -0.8), fixed(data.slice_m, 2) + " m",
                 label.aligned(HAlign::right, VAlign::baseline));

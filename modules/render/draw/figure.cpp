@@ -19,7 +19,6 @@ namespace bole::render {
 namespace {
 
 constexpr double pt_per_mm = 72 / 25.4;
-constexpr double mm_per_inch = 25.4;
 constexpr int max_pixels = 30000;  // a side; Cairo itself stops at 32767
 
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;

@@ -9,6 +9,8 @@
 
 namespace bole::render {
 
+inline constexpr double mm_per_inch = 25.4;
+
 struct Figure {
   std::string name;     // file name without ending: "stem_map"
   std::string title;    // of the report's heading

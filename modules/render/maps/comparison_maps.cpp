@@ -16,7 +16,7 @@ namespace bole::render {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
-constexpr double furniture_mm = 23;  // labels below a map, scale bar and legend
+constexpr double comparison_furniture_mm = 23;  // labels below a map, scale bar and legend
 
 struct Extent {
   Eigen::Vector2d lo{inf, inf}, hi{-inf, -inf};
@@ -57,7 +57,7 @@ void draw_below(Canvas& canvas, const Frame& frame, const std::vector<LegendEntr
   draw_legend_row(canvas, {frame.box.x0 + bar_mm + 14, y - 2.6}, frame.box.width() - bar_mm - 14, entries);
 }
 
-struct Mark {
+struct TreeMark {
   Eigen::Vector2d at, reference;  // of an extra tree: twice its place
   bool extra = false;
 };
@@ -65,7 +65,7 @@ struct Mark {
 struct MarkSeries {
   std::string name;
   Color color;
-  std::vector<Mark> marks;
+  std::vector<TreeMark> marks;
 };
 
 struct PositionMap {
@@ -212,7 +212,7 @@ Figure position_map(const std::vector<MatchGroup>& runs, const PlotArea& area, d
                    (map.enlarge > 1 ? fmt::format(" The errors are drawn {:g} times as long as they are.", map.enlarge)
                                     : std::string());
   figure.width_mm = width_mm;
-  figure.height_mm = frame.box.y1 + furniture_mm;
+  figure.height_mm = frame.box.y1 + comparison_furniture_mm;
   figure.draw = [map = std::move(map), frame](Canvas& canvas) { draw_positions(canvas, map, frame); };
   return figure;
 }
@@ -283,7 +283,7 @@ Figure paths_on_cloud(const std::vector<ComparedPath>& paths, const PlanDensity&
                                           100 * p.apart_m)
                             : std::string());
   figure.width_mm = width_mm;
-  figure.height_mm = frame.box.y1 + furniture_mm;
+  figure.height_mm = frame.box.y1 + comparison_furniture_mm;
   figure.draw = [p = std::move(p), frame, side_mm](Canvas& canvas) {
     draw_paths(canvas, p, frame, 0.5);
     draw_axes(canvas, frame, map_axes());

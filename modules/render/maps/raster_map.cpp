@@ -15,7 +15,7 @@ namespace {
 
 constexpr double side_mm = 17, top_mm = 2;
 
-struct Sheet {
+struct RasterSheet {
   Image picture;
   Interval x, y, values;
   std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> contours;  // pieces of line, metres
@@ -87,7 +87,7 @@ Image picture_of(const Raster& r, const Cells& c, RasterKind kind, const Interva
 }
 
 // Where a level crosses the squares between cell centres (marching squares).
-void add_contours(const Raster& r, const Cells& c, double level, Sheet& sheet) {
+void add_contours(const Raster& r, const Cells& c, double level, RasterSheet& sheet) {
   const auto centre = [&](int x, int y) -> Eigen::Vector2d {
     return r.origin + r.cell_m * Eigen::Vector2d(x + 0.5, y + 0.5);
   };
@@ -106,11 +106,11 @@ void add_contours(const Raster& r, const Cells& c, double level, Sheet& sheet) {
     }
 }
 
-Sheet sheet_of(const RasterMapData& data, RasterKind kind) {
+RasterSheet sheet_of(const RasterMapData& data, RasterKind kind) {
   if (data.raster == nullptr || data.raster->values.empty()) throw bad_input("there is no raster", "a raster");
   const auto& r = *data.raster;
   const auto cells = cells_shown(r, data.area);
-  Sheet s;
+  RasterSheet s;
   s.kind = kind;
   s.north_known = data.north_known;
   s.values = value_range(r, cells);
@@ -133,12 +133,12 @@ Sheet sheet_of(const RasterMapData& data, RasterKind kind) {
   return s;
 }
 
-Frame frame_of(const Sheet& s, double width_mm) {
+Frame frame_of(const RasterSheet& s, double width_mm) {
   const double w = width_mm - axis_space_left_mm - side_mm, h = w * std::clamp(s.y.length() / s.x.length(), 0.3, 1.5);
   return {{axis_space_left_mm, top_mm, axis_space_left_mm + w, top_mm + h}, s.x, s.y};
 }
 
-void draw_sheet(Canvas& canvas, const Sheet& s, const Frame& frame) {
+void draw_sheet(Canvas& canvas, const RasterSheet& s, const Frame& frame) {
   {
     const auto clip = canvas.clip(frame.box);
     canvas.image(s.picture, frame.box);

@@ -23,8 +23,8 @@ struct Content {
   bool north_known = true;
 };
 
-constexpr double margin_left = axis_space_left_mm, margin_right = 2, margin_top = 2, margin_below = 11,
-                 furniture_mm = 12;
+constexpr double row_margin_left = axis_space_left_mm, row_margin_right = 2, row_margin_top = 2, row_margin_below = 11,
+                 row_furniture_mm = 12;
 
 Points points_of(const Table& table) {
   const auto x = table.numbers("x_m"), y = table.numbers("y_m");
@@ -68,8 +68,8 @@ Frame frame_of(const Content& c, double width_mm) {
   // A long strip is widened, so that the sheet keeps a readable shape.
   half.y() = std::max(half.y(), 0.3 * half.x());
   half.x() = std::max(half.x(), half.y() / 1.35);
-  const double w = width_mm - margin_left - margin_right, h = w * half.y() / half.x();
-  return {{margin_left, margin_top, margin_left + w, margin_top + h},
+  const double w = width_mm - row_margin_left - row_margin_right, h = w * half.y() / half.x();
+  return {{row_margin_left, row_margin_top, row_margin_left + w, row_margin_top + h},
           {middle.x() - half.x(), middle.x() + half.x()},
           {middle.y() - half.y(), middle.y() + half.y()}};
 }
@@ -119,7 +119,7 @@ void draw(Canvas& canvas, const Content& c, const Frame& frame) {
     for (const auto& line : c.lines) draw_id(canvas, frame, line);
   }
   draw_axes(canvas, frame, axes);
-  const double y = frame.box.y1 + margin_below + 5.5;
+  const double y = frame.box.y1 + row_margin_below + 5.5;
   const double bar_mm = draw_scale_bar(canvas, {frame.box.x0 + 1, y}, frame.mm_per_unit_x(), 40);
   if (c.north_known) draw_north_arrow(canvas, {frame.box.x0 + 1 + bar_mm + 12, y + 0.6}, 8);
   std::vector<LegendEntry> legend{{Symbol::disc, ink::good, "plant"}, {Symbol::line, ink::path, "row"}};
@@ -140,7 +140,7 @@ Figure row_map(const RowMapData& data, double width_mm) {
   figure.caption =
       "Plants, the lines of their rows with the row ids, places where a plant is missing, and plants in no row.";
   figure.width_mm = width_mm;
-  figure.height_mm = frame.box.y1 + margin_below + furniture_mm;
+  figure.height_mm = frame.box.y1 + row_margin_below + row_furniture_mm;
   figure.draw = [content = std::move(content), frame](Canvas& canvas) { draw(canvas, content, frame); };
   return figure;
 }

@@ -15,10 +15,10 @@
 #include <cmath>
 #include <cstring>
 
+#include "render/draw/figure.h"
+
 namespace bole::render {
 namespace {
-
-constexpr double mm_per_inch = 25.4;
 
 // Makes an actor a rectangle of the window, its lower left corner at the actor's position, that shows an image: pixel
 // by pixel, or stretched to a size in pixels.

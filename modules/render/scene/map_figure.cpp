@@ -14,6 +14,7 @@
 
 #include "base/option.h"
 #include "cloud/breast_height.h"
+#include "render/draw/figure.h"
 #include "render/draw/furniture.h"
 #include "render/scene/actors.h"
 #include "render/scene/eye_dome.h"
@@ -23,7 +24,6 @@
 namespace bole::render {
 namespace {
 
-constexpr double mm_per_inch = 25.4;
 constexpr double side_mm = 19;  // the legend's column
 
 struct Extent {

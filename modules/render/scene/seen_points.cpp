@@ -9,9 +9,9 @@
 namespace bole::render {
 namespace {
 
-constexpr std::size_t sampled = 64;            // points whose neighbours are looked for
-constexpr std::size_t poll_every = 1U << 17U;  // points between two looks at a cancel
-constexpr int max_half_px = 12;                // of what a point covers
+constexpr std::size_t spacing_sample = 64;               // points whose neighbours are looked for
+constexpr std::size_t points_between_polls = 1U << 17U;  // points between two looks at a cancel
+constexpr int max_half_px = 12;                          // of what a point covers
 constexpr double behind_spacings = 3, behind_pixels = 2;
 
 // The square that a point covers.
@@ -42,7 +42,7 @@ DepthImage front_of(const std::vector<SeenPoint>& points, const CameraModel& cam
 // Points cover half of what they hide, so that the rim of a thing does not grow over what is measured behind it.
 DepthImage middle_of(const std::vector<SeenPoint>& points, const CameraModel& camera, double spacing_m) {
   DepthImage depth(camera.width, camera.height);
-  Image<float> off(camera.width, camera.height, 1, std::numeric_limits<float>::infinity());
+  bole::Image<float> off(camera.width, camera.height, 1, std::numeric_limits<float>::infinity());
   for (const auto& p : points)
     cover(depth, p, half_px(camera, spacing_m, p.depth_m, 0.5), [&](int x, int y) {
       const float px = std::hypot(p.x - static_cast<float>(x), p.y - static_cast<float>(y));
@@ -58,7 +58,7 @@ DepthImage middle_of(const std::vector<SeenPoint>& points, const CameraModel& ca
 double point_spacing_m(const PointCloud& cloud, const Run& run) {
   const auto& positions = cloud.positions();
   std::vector<float> nearest;
-  const std::size_t step = std::max<std::size_t>(1, positions.size() / sampled);
+  const std::size_t step = std::max<std::size_t>(1, positions.size() / spacing_sample);
   for (std::size_t i = 0; i < positions.size(); i += step) {
     run.check_cancel();
     float best = std::numeric_limits<float>::infinity();
@@ -78,7 +78,7 @@ SeenCloud see_cloud(const PointCloud& cloud, const CameraModel& camera, const Po
   const Pose T_camera_world = T_world_camera.inverse();
   std::vector<SeenPoint> in_picture;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    if (i % poll_every == 0) run.check_cancel();
+    if (i % points_between_polls == 0) run.check_cancel();
     const Eigen::Vector3d p = T_camera_world * cloud.position(i);
     const auto pixel = camera.project(p);
     if (!pixel || !camera.contains(*pixel)) continue;

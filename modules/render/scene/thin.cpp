@@ -9,7 +9,7 @@ namespace bole::render {
 namespace {
 
 constexpr double min_voxel_m = 0.01;
-constexpr std::size_t poll_every = 0x40000;  // points between two looks at the cancel flag
+constexpr std::size_t copies_between_polls = 0x40000;  // points between two looks at the cancel flag
 constexpr std::size_t candidates_per_point =
     8;                                         // of the cloud, for each point that is wanted: evenly through its order
 constexpr std::size_t share_sample = 100'000;  // points that tell how much of the cloud lies in the window
@@ -32,7 +32,7 @@ std::vector<std::uint32_t> one_per_voxel(const PointCloud& cloud, const std::vec
   const float per_metre = static_cast<float>(1 / voxel_m);
   const auto& positions = cloud.positions();
   for (std::size_t k = 0; k < indices.size(); ++k) {
-    if (k % poll_every == 0) run.check_cancel();
+    if (k % copies_between_polls == 0) run.check_cancel();
     const auto i = indices[k];
     const Eigen::Vector3f v = (positions[i] * per_metre).array().floor();
     std::uint64_t key = 0;
@@ -52,10 +52,10 @@ std::vector<std::uint32_t> one_per_voxel(const PointCloud& cloud, const std::vec
 std::size_t candidate_step(std::size_t points, std::size_t budget, const std::function<bool(std::size_t)>& shown) {
   const std::size_t wanted = candidates_per_point * std::max<std::size_t>(budget, 1);
   if (points <= wanted) return 1;
-  std::size_t sampled = 0, inside = 0;
-  for (std::size_t i = 0; i < points; i += std::max<std::size_t>(1, points / share_sample), ++sampled)
+  std::size_t tried = 0, inside = 0;
+  for (std::size_t i = 0; i < points; i += std::max<std::size_t>(1, points / share_sample), ++tried)
     inside += shown(i) ? 1 : 0;
-  const double share = static_cast<double>(inside) / static_cast<double>(std::max<std::size_t>(sampled, 1));
+  const double share = static_cast<double>(inside) / static_cast<double>(std::max<std::size_t>(tried, 1));
   return std::max<std::size_t>(
       1, static_cast<std::size_t>(share * static_cast<double>(points) / static_cast<double>(wanted)));
 }
@@ -87,7 +87,7 @@ std::vector<std::uint32_t> thin_for_drawing(const PointCloud& cloud, const Windo
   };
   const std::size_t step = candidate_step(cloud.size(), budget, shown);
   for (std::size_t i = 0, k = 0; i < cloud.size(); i += step, ++k) {
-    if (k % poll_every == 0) run.check_cancel();
+    if (k % copies_between_polls == 0) run.check_cancel();
     if (shown(i)) kept.push_back(static_cast<std::uint32_t>(i));
   }
   // Points lie on surfaces: their number goes with the square of the voxel size.

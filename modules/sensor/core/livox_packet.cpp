@@ -10,16 +10,15 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 using Coordinates = LivoxLayout::Coordinates;
-constexpr double standard_gravity = 9.80665;
 
-std::uint32_t get32(Bytes p, std::size_t at) {
+std::uint32_t little32(Bytes p, std::size_t at) {
   return static_cast<std::uint32_t>(p[at]) | static_cast<std::uint32_t>(p[at + 1]) << 8 |
          static_cast<std::uint32_t>(p[at + 2]) << 16 | static_cast<std::uint32_t>(p[at + 3]) << 24;
 }
 
-std::uint16_t get16(Bytes p, std::size_t at) { return static_cast<std::uint16_t>(p[at] | p[at + 1] << 8); }
+std::uint16_t little16(Bytes p, std::size_t at) { return static_cast<std::uint16_t>(p[at] | p[at + 1] << 8); }
 
-double get_float(Bytes p, std::size_t at) { return std::bit_cast<float>(get32(p, at)); }
+double little_float(Bytes p, std::size_t at) { return std::bit_cast<float>(little32(p, at)); }
 
 Eigen::Vector3d on_sphere(double range_m, std::uint16_t zenith_centideg, std::uint16_t azimuth_centideg) {
   constexpr double radians_per_centideg = std::numbers::pi / 18000;
@@ -35,24 +34,24 @@ Eigen::Vector3d place_of(const LivoxLayout& layout, Bytes firing, std::size_t r,
   switch (layout.coordinates) {
     case Coordinates::cartesian_cm:
       reflectivity_at = 6;
-      return 0.01 * Eigen::Vector3d(static_cast<std::int16_t>(get16(firing, 0)),
-                                    static_cast<std::int16_t>(get16(firing, 2)),
-                                    static_cast<std::int16_t>(get16(firing, 4)));
+      return 0.01 * Eigen::Vector3d(static_cast<std::int16_t>(little16(firing, 0)),
+                                    static_cast<std::int16_t>(little16(firing, 2)),
+                                    static_cast<std::int16_t>(little16(firing, 4)));
     case Coordinates::spherical: {
       if (layout.returns == 1) {
         reflectivity_at = 8;
-        return on_sphere(1e-3 * get32(firing, 0), get16(firing, 4), get16(firing, 6));
+        return on_sphere(1e-3 * little32(firing, 0), little16(firing, 4), little16(firing, 6));
       }
       const std::size_t at = 4 + r * 6;
       reflectivity_at = at + 4;
-      return on_sphere(1e-3 * get32(firing, at), get16(firing, 0), get16(firing, 2));
+      return on_sphere(1e-3 * little32(firing, at), little16(firing, 0), little16(firing, 2));
     }
     default: {
       const std::size_t at = r * (13 + tag);
       reflectivity_at = at + 12;
-      return 1e-3 * Eigen::Vector3d(static_cast<std::int32_t>(get32(firing, at)),
-                                    static_cast<std::int32_t>(get32(firing, at + 4)),
-                                    static_cast<std::int32_t>(get32(firing, at + 8)));
+      return 1e-3 * Eigen::Vector3d(static_cast<std::int32_t>(little32(firing, at)),
+                                    static_cast<std::int32_t>(little32(firing, at + 4)),
+                                    static_cast<std::int32_t>(little32(firing, at + 8)));
     }
   }
 }
@@ -104,8 +103,8 @@ std::optional<InertialSample> decode_livox_inertial(Bytes data) {
   InertialSample sample;
   for (int axis = 0; axis < 3; ++axis) {
     const auto at = static_cast<std::size_t>(4 * axis);
-    sample.angular_rate_rad_s[axis] = get_float(data, at);
-    sample.specific_force_m_s2[axis] = standard_gravity * get_float(data, 12 + at);
+    sample.angular_rate_rad_s[axis] = little_float(data, at);
+    sample.specific_force_m_s2[axis] = standard_gravity * little_float(data, 12 + at);
   }
   if (!sample.angular_rate_rad_s.allFinite() || !sample.specific_force_m_s2.allFinite()) return {};
   return sample;

@@ -10,7 +10,6 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 constexpr std::size_t packet_header = 32, packet_footer = 32;  // of all profiles but the legacy one
-constexpr double standard_gravity = 9.80665;
 
 // Where a pixel keeps range and reflectivity of each return. Ranges are little endian.
 struct PixelLayout {

@@ -8,13 +8,13 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/angles.h"
 #include "base/error.h"
 
 namespace bole::sensor {
 namespace {
 
 using nlohmann::json;
-constexpr double radians_per_degree = std::numbers::pi / 180;
 constexpr std::size_t max_lines = 256;
 
 // The entry of this name, at the top or in one of the sections of the nested layout.
@@ -136,8 +136,8 @@ void set_beams(SensorModel& model, const std::vector<double>& elevations_deg, co
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return elevations_deg[i]; });
   model.channels.assign(elevations_deg.size(), {});
   for (std::size_t ring = 0; ring < order.size(); ++ring)
-    model.channels[order[ring]] = {elevations_deg[order[ring]] * radians_per_degree,
-                                   azimuths_deg[order[ring]] * radians_per_degree, 0, static_cast<int>(ring)};
+    model.channels[order[ring]] = {elevations_deg[order[ring]] * rad_per_deg, azimuths_deg[order[ring]] * rad_per_deg,
+                                   0, static_cast<int>(ring)};
 }
 
 // "1024x10": columns per revolution and revolutions per second.

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "base/option.h"
 #include "base/resources.h"
@@ -15,7 +16,6 @@
 namespace bole::sensor {
 namespace {
 
-constexpr double radians_per_degree = std::numbers::pi / 180;
 constexpr std::size_t max_channels = 256;
 
 double number(const nlohmann::json& json, const char* key, double min, double max) {
@@ -64,8 +64,7 @@ std::vector<LaserChannel> channels_from(const nlohmann::json& json, double seque
   std::vector<LaserChannel> channels(elevations.size());
   for (std::size_t ring = 0; ring < by_elevation.size(); ++ring) {
     const std::size_t i = by_elevation[ring];
-    channels[i] = {elevations[i] * radians_per_degree, offsets[i] * radians_per_degree, times[i] * 1e-6,
-                   static_cast<int>(ring)};
+    channels[i] = {elevations[i] * rad_per_deg, offsets[i] * rad_per_deg, times[i] * 1e-6, static_cast<int>(ring)};
   }
   return channels;
 }
@@ -74,10 +73,10 @@ Rosette rosette_from(const nlohmann::json& json) {
   Rosette out;
   out.points_per_s = number(json, "points_per_s", 1, 1e8);
   out.beams = static_cast<int>(number(json, "beams", 1, 1000));
-  out.horizontal_fov_rad = number(json, "horizontal_fov_deg", 0.1, 360) * radians_per_degree;
+  out.horizontal_fov_rad = number(json, "horizontal_fov_deg", 0.1, 360) * rad_per_deg;
   const double min_deg = number(json, "min_elevation_deg", -90, 90);
-  out.min_elevation_rad = min_deg * radians_per_degree;
-  out.max_elevation_rad = number(json, "max_elevation_deg", min_deg, 90) * radians_per_degree;
+  out.min_elevation_rad = min_deg * rad_per_deg;
+  out.max_elevation_rad = number(json, "max_elevation_deg", min_deg, 90) * rad_per_deg;
   return out;
 }
 

@@ -8,13 +8,13 @@
 #include <pugixml.hpp>
 #include <string>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "base/option.h"
 
 namespace bole::sensor {
 namespace {
 
-constexpr double radians_per_degree = std::numbers::pi / 180;
 constexpr double metres_per_cm = 0.01;
 
 // The number in a child; files write a dot whatever the locale is.
@@ -47,8 +47,8 @@ std::string nominal_model(std::size_t lasers, double range_quantum_m) {
 
 // Angles are in degrees, lengths in centimetres.
 void read_laser(const pugi::xml_node& px, LaserChannel& channel) {
-  channel.elevation_rad = number(px, "vertCorrection_", 90) * radians_per_degree;
-  channel.azimuth_offset_rad = -number(px, "rotCorrection_", 180) * radians_per_degree;
+  channel.elevation_rad = number(px, "vertCorrection_", 90) * rad_per_deg;
+  channel.azimuth_offset_rad = -number(px, "rotCorrection_", 180) * rad_per_deg;
   auto& offsets = channel.offsets;
   offsets.range = number(px, "distCorrection_", 1000) * metres_per_cm;
   offsets.vertical = number(px, "vertOffsetCorrection_", 100) * metres_per_cm;

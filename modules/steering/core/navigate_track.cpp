@@ -197,7 +197,7 @@ class Fixes {
 };
 
 // The log, a row per fix.
-class Log {
+class NavigationLog {
  public:
   void add(const AntennaFix& fix, const geo::Attitude& attitude, const NavigatedPoint& point,
            const PositionVelocityFilter& filter) {
@@ -319,7 +319,7 @@ void tell_heading(const TrackAttitudes& attitudes, const NavigateOptions& o, con
 
 // The fixes one after the other through lever arm and filter.
 struct Filtered {
-  Log log;
+  NavigationLog log;
   std::int64_t without_heading = 0, gaps = 0, jumps = 0;
   std::vector<double> sigmas;
 };

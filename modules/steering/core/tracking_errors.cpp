@@ -59,7 +59,7 @@ const OptionTable& option_table(const ErrorOptions*) {
 
 namespace {
 
-struct Drive {
+struct RecordedDrive {
   std::int64_t run = 1;
   double speed_km_h = no_number;
   Track track;
@@ -84,7 +84,7 @@ std::vector<Eigen::Vector2d> at_times(const Table& reference, const std::vector<
   return found;
 }
 
-std::vector<Drive> drives_of(const Table& log, const Table* reference) {
+std::vector<RecordedDrive> drives_of(const Table& log, const Table* reference) {
   const auto time = log.numbers("time_s"), x = log.numbers("x_m"), y = log.numbers("y_m");
   std::vector<Eigen::Vector2d> truth;
   if (log.has("ref_x_m") && log.has("ref_y_m")) {
@@ -95,7 +95,7 @@ std::vector<Drive> drives_of(const Table& log, const Table* reference) {
   }
   const auto runs = log.has("run") ? log.integers("run") : std::vector<std::int64_t>(log.rows(), 1);
   const auto speeds = log.has("speed_km_h") ? log.numbers("speed_km_h") : std::vector<double>(log.rows(), no_number);
-  std::vector<Drive> drives;
+  std::vector<RecordedDrive> drives;
   for (std::size_t i = 0; i < log.rows(); ++i) {
     const Eigen::Vector2d navigated(x[i], y[i]), real = truth.empty() ? navigated : truth[i];
     if (!navigated.allFinite() || !real.allFinite() || !std::isfinite(time[i])) continue;
@@ -110,7 +110,7 @@ std::vector<Drive> drives_of(const Table& log, const Table* reference) {
   return drives;
 }
 
-GuidanceLine line_of(const Table* lines, const Drive& drive, const PassLimits& limits) {
+GuidanceLine line_of(const Table* lines, const RecordedDrive& drive, const PassLimits& limits) {
   if (lines != nullptr && lines->rows() > 0) {
     const Eigen::Vector2d a(lines->numbers("a_x_m")[0], lines->numbers("a_y_m")[0]),
         b(lines->numbers("b_x_m")[0], lines->numbers("b_y_m")[0]), d = b - a;
@@ -152,8 +152,8 @@ class Neighbour {
   std::map<double, double> offset_at_;
 };
 
-void measure_drive(const Drive& drive, const GuidanceLine& line, const PassLimits& limits, double speed_step_km_h,
-                   std::vector<MeasuredPass>& found) {
+void measure_drive(const RecordedDrive& drive, const GuidanceLine& line, const PassLimits& limits,
+                   double speed_step_km_h, std::vector<MeasuredPass>& found) {
   const auto passes = find_passes(drive.track, line, limits);
   std::map<std::int64_t, Neighbour> driven;  // the last pass on each row
   for (const auto& pass : passes) {
@@ -233,7 +233,7 @@ TrackingErrors tracking_errors(const Table& log, const Table* lines, const Table
   result.summary = summary_table(passes);
   result.errors = error_table(passes);
   result.report.counts["passes"] = static_cast<std::int64_t>(passes.size());
-  if (std::ranges::all_of(drives, [](const Drive& d) { return d.track.navigated.empty(); }))
+  if (std::ranges::all_of(drives, [](const RecordedDrive& d) { return d.track.navigated.empty(); }))
     result.report.warn(
         "no reference: errors are measured with the receiver itself, so its own error is unknown (connect 'reference', "
         "or a log with "

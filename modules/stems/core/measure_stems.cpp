@@ -32,8 +32,8 @@ constexpr double all_round_rad = 6.0;
 constexpr double min_drift_to_align_m = 0.01;
 constexpr int max_alignments = 2;
 constexpr double unknown_once_aligned_m = 0.0007;  // of all radii alike: displacements take up some of the range offset
-constexpr double cap_by_noise = 1.25, max_learnt_noise_m = 0.035;  // of the residuals' scale
-constexpr int min_sighting = 20;                                   // points of a pass that tell where it sees a stem
+constexpr double max_learnt_noise_m = 0.035;       // of the residuals' scale
+constexpr int min_sighting = 20;                   // points of a pass that tell where it sees a stem
 
 template <class T>
 const std::vector<T>* column_or_null(const PointCloud& points, const ArrayInfo& info) {

@@ -7,8 +7,6 @@
 namespace bole::stems {
 namespace {
 
-constexpr double cap_by_noise = 1.25;  // residuals scatter by the noise of the ranges and a little by poses and bark
-
 enum class Source { option, cloud, assumed };
 
 Source fill_in(std::optional<double>& option, const Facts& facts, const FactInfo& info, double otherwise) {

@@ -12,6 +12,9 @@ inline constexpr double assumed_beam_divergence_mrad = 3.0;
 inline constexpr double assumed_beam_aperture = 0.0095;
 inline constexpr double assumed_range_noise = 0.012;
 
+// Of the scale of residuals, in the noise of the ranges: they scatter by that and a little by poses and bark.
+inline constexpr double cap_by_noise = 1.25;
+
 // The options with the beam and the range noise filled in: from the options, else from the facts of the cloud, else
 // assumed. The cap of the residuals' scale is raised for sensors that are noisier than it. The report names every value
 // and its source (facts beam_divergence, beam_aperture, range_noise), and warns of an assumed beam where `along_rays`:

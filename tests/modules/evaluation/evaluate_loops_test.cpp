@@ -1,4 +1,5 @@
 #include "evaluation/core/evaluate_loops.h"
+#include "summary_value.h"
 
 #include <gmock/gmock.h>
 
@@ -7,14 +8,6 @@
 
 namespace bole::evaluation {
 namespace {
-
-double value(const Table& summary, const std::string& measure) {
-  const auto& names = summary.texts("measure");
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == measure) return summary.numbers("value")[i];
-  ADD_FAILURE() << "no measure " << measure;
-  return std::nan("");
-}
 
 // 40 m out at 1 m/s, and back beside it at 1 m: every place of the second half from x = 40 - 12.5 on down is a revisit
 // after at least 25 m.

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "evaluation/core/assignment.h"
+#include "summary_value.h"
 
 namespace bole::evaluation {
 
@@ -23,14 +24,6 @@ Table trees(const std::vector<std::array<double, 3>>& rows) {
   Table t;
   t.set("tree_id", id), t.set("x_m", x), t.set("y_m", y), t.set("dbh_cm", dbh);
   return t;
-}
-
-double value(const Table& summary, const std::string& measure) {
-  const auto& names = summary.texts("measure");
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == measure) return summary.numbers("value")[i];
-  ADD_FAILURE() << "no measure " << measure;
-  return std::nan("");
 }
 
 TEST(Assignment, TheNearestPairIsGivenUpForMorePairs) {

@@ -1,4 +1,5 @@
 #include "evaluation/core/evaluate_trajectory.h"
+#include "summary_value.h"
 
 #include <gmock/gmock.h>
 
@@ -7,14 +8,6 @@
 
 namespace bole::evaluation {
 namespace {
-
-double value(const Table& summary, const std::string& measure) {
-  const auto& names = summary.texts("measure");
-  for (std::size_t i = 0; i < names.size(); ++i)
-    if (names[i] == measure) return summary.numbers("value")[i];
-  ADD_FAILURE() << "no measure " << measure;
-  return std::nan("");
-}
 
 // A bent walk of 20 s at 1 m/s.
 Trajectory walk(double start = 0, double step = 0.1) {

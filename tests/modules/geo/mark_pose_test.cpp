@@ -16,13 +16,13 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const Eigen::Vector3d sensor(434'000.25, 2'562'000.5, 21.4);
+const Eigen::Vector3d robot(434'000.25, 2'562'000.5, 21.4);
 const double yaw = 2.8;
 const std::vector<Eigen::Vector3d> places{{-3.2, 7.5, 0.9}, {2.8, 6.0, 1.3}, {0.4, 4.0, 0.4}};  // levelled axes
 
 std::vector<SeenMark> marks_at(const std::vector<Eigen::Vector3d>& seen) {
   std::vector<SeenMark> marks;
-  for (const auto& p : seen) marks.push_back({sensor + rotation_from_rpy(0, 0, yaw) * p, p});
+  for (const auto& p : seen) marks.push_back({robot + rotation_from_rpy(0, 0, yaw) * p, p});
   return marks;
 }
 
@@ -30,7 +30,7 @@ TEST(MarkPose, FindsPlaceAndYawInProjectedCoordinates) {
   for (const std::size_t count : {2U, 3U}) {
     const auto marks = marks_at({places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count)});
     const auto pose = pose_from_marks(marks, {});
-    EXPECT_LT((pose.position_nav - sensor).norm(), 1e-7);
+    EXPECT_LT((pose.position_nav - robot).norm(), 1e-7);
     EXPECT_NEAR(pose.yaw_rad, yaw, 1e-9);
     EXPECT_NEAR(pose.sigma0, 0, 1e-4);
     EXPECT_EQ(pose.redundancy, 3 * static_cast<int>(count) - 4);
@@ -58,7 +58,7 @@ TEST(MarkPose, ItsCovarianceIsThatOfRepeatedTrials) {
     }
     const auto pose = pose_from_marks(marks, e);
     Eigen::Vector4d error;
-    error << pose.position_nav - sensor, wrapped(pose.yaw_rad - yaw);
+    error << pose.position_nav - robot, wrapped(pose.yaw_rad - yaw);
     sample += error * error.transpose() / trials;
     predicted += pose.covariance / trials;
     sigma0_square += pose.sigma0 * pose.sigma0 / trials;

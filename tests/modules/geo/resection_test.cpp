@@ -11,12 +11,14 @@
 
 #include "base/angles.h"
 #include "base/error.h"
+#include "checks.h"
 #include "geo/core/attitude.h"
 
 namespace bole::geo {
 namespace {
 
 using ::testing::HasSubstr;
+using testing_checks::refusal_of;
 
 // Marks about a robot at several heights; the sensor stands at `sensor`.
 const Eigen::Vector3d sensor(1.2, -0.7, 0.6);
@@ -27,16 +29,6 @@ std::vector<RangeToMark> ranges_to(const std::vector<Eigen::Vector3d>& at, const
   std::vector<RangeToMark> ranges;
   for (const auto& m : at) ranges.push_back({m, (m - from).norm(), 0.02});
   return ranges;
-}
-
-std::string error_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& e) {
-    EXPECT_EQ(e.kind(), ErrorKind::bad_input);
-    return e.what();
-  }
-  return "no error";
 }
 
 TEST(Resection, FindsTheSensorFromThreeAndFourMarks) {
@@ -73,18 +65,18 @@ TEST(Resection, ItsCovarianceIsThatOfRepeatedTrials) {
 
 TEST(Resection, RefusesGeometryThatDoesNotCarryAPosition) {
   const std::vector<Eigen::Vector3d> line{{0, 0, 1}, {3, 0, 1}, {7, 0, 1}};
-  EXPECT_THAT(error_of([&] { resect(ranges_to(line, sensor)); }), HasSubstr("on a line"));
-  EXPECT_THAT(error_of([&] { resect(ranges_to({marks[0], marks[1]}, sensor)); }), HasSubstr("at least 3"));
-  EXPECT_THAT(error_of([&] { resect(ranges_to(raised, sensor)); }), HasSubstr("two positions alike"));
+  EXPECT_THAT(refusal_of([&] { resect(ranges_to(line, sensor)); }), HasSubstr("on a line"));
+  EXPECT_THAT(refusal_of([&] { resect(ranges_to({marks[0], marks[1]}, sensor)); }), HasSubstr("at least 3"));
+  EXPECT_THAT(refusal_of([&] { resect(ranges_to(raised, sensor)); }), HasSubstr("two positions alike"));
   const std::vector<Eigen::Vector3d> flat{{5, 3, 1}, {-4, 6, 1}, {6, -5, 1}};
   const Eigen::Vector3d in_plane(1, 1, 1);
-  EXPECT_THAT(error_of([&] { resect(ranges_to(flat, in_plane)); }), HasSubstr("in the plane of the marks"));
+  EXPECT_THAT(refusal_of([&] { resect(ranges_to(flat, in_plane)); }), HasSubstr("in the plane of the marks"));
   auto wrong = ranges_to(marks, sensor);
   std::swap(wrong[0].range_m, wrong[1].range_m);
-  EXPECT_THAT(error_of([&] { resect(wrong); }), HasSubstr("meet nowhere"));
+  EXPECT_THAT(refusal_of([&] { resect(wrong); }), HasSubstr("meet nowhere"));
   auto negative = ranges_to(marks, sensor);
   negative[2].range_m = -1;
-  EXPECT_THAT(error_of([&] { resect(negative); }), HasSubstr("mark 3"));
+  EXPECT_THAT(refusal_of([&] { resect(negative); }), HasSubstr("mark 3"));
 }
 
 TEST(Resection, AKnownHeightServesMarksAtTheSensorsHeight) {
@@ -118,8 +110,8 @@ TEST(Heading, IsTheTurnBetweenSeenAndKnownDirections) {
   EXPECT_LT(heading.worst_residual_rad, 1e-12);
   EXPECT_LT(heading.se_rad, 0.2 * rad_per_deg);
   pairs[1].seen *= 1.1;
-  EXPECT_THAT(error_of([&] { heading_from_directions(pairs); }), HasSubstr("direction 2"));
-  EXPECT_THAT(error_of([&] { heading_from_directions({}); }), HasSubstr("0 directions"));
+  EXPECT_THAT(refusal_of([&] { heading_from_directions(pairs); }), HasSubstr("direction 2"));
+  EXPECT_THAT(refusal_of([&] { heading_from_directions({}); }), HasSubstr("0 directions"));
 }
 
 TEST(Attitude, LeverArmAndBearings) {

@@ -40,7 +40,7 @@ PointCloud changed(Terrain& terrain, const Change& change) {
   return PointCloud(out);
 }
 
-GroundModel model(const PointCloud& cloud, const GroundOptions& options = {}) {
+GroundModel modelled(const PointCloud& cloud, const GroundOptions& options = {}) {
   return model_ground(cloud, options, bole::Run{});
 }
 
@@ -87,7 +87,7 @@ TEST(GroundEvidence, ANormalisedCloudIsTakenAsItIs) {
     p.z() = label == 2 ? 0 : std::max(0.0F, h);
     return true;
   });
-  const auto m = model(cloud);
+  const auto m = modelled(cloud);
   EXPECT_EQ(m.source, TerrainSource::normalised);
   EXPECT_EQ(terrain_error(m, [](double, double) { return 0.0; }).worst, 0);
   ASSERT_TRUE(finding(m.report, "cloud_is_normalised"));
@@ -97,7 +97,7 @@ TEST(GroundEvidence, ANormalisedCloudIsTakenAsItIs) {
 // Ground that scatters about z = 0 could be level terrain: it is modelled, which gives the same heights.
 TEST(GroundEvidence, ScatteringGroundAtZeroIsModelled) {
   Terrain terrain(stand());
-  const auto m = model(changed(terrain, [](Eigen::Vector3f& p, float h, int) {
+  const auto m = modelled(changed(terrain, [](Eigen::Vector3f& p, float h, int) {
     p.z() = h;
     return true;
   }));
@@ -111,7 +111,7 @@ TEST(GroundEvidence, ANormalisedCloudWithoutGroundIsKnownByTheFeetOfItsStems) {
     p.z() = h;
     return label != 2;
   });
-  const auto m = model(with_herbs(cloud, [](double, double) { return 0.0; }));
+  const auto m = modelled(with_herbs(cloud, [](double, double) { return 0.0; }));
   EXPECT_EQ(m.source, TerrainSource::normalised);
   EXPECT_EQ(terrain_error(m, [](double, double) { return 0.0; }).worst, 0);
 }
@@ -123,7 +123,7 @@ TEST(GroundEvidence, TheFactAloneIsEnough) {
     return h > 1;
   });
   set_fact(cloud.facts, facts::height_reference, "ground");
-  EXPECT_EQ(model(cloud).source, TerrainSource::normalised);
+  EXPECT_EQ(modelled(cloud).source, TerrainSource::normalised);
 }
 
 TEST(GroundEvidence, TerrainIsNotTakenForNormalised) {
@@ -131,10 +131,10 @@ TEST(GroundEvidence, TerrainIsNotTakenForNormalised) {
     auto recipe = stand(0);
     recipe.undulation_m = undulation;
     Terrain terrain(recipe);
-    EXPECT_EQ(model(terrain.cloud()).source, TerrainSource::ground) << undulation;
+    EXPECT_EQ(modelled(terrain.cloud()).source, TerrainSource::ground) << undulation;
   }
   Terrain slope(stand(2));
-  EXPECT_EQ(model(slope.cloud()).source, TerrainSource::ground);
+  EXPECT_EQ(modelled(slope.cloud()).source, TerrainSource::ground);
 }
 
 TEST(GroundEvidence, AMethodThatIsGivenIsTaken) {
@@ -142,14 +142,14 @@ TEST(GroundEvidence, AMethodThatIsGivenIsTaken) {
   const auto cloud = terrain.cloud();
   GroundOptions o;
   o.method = GroundMethod::normalised;
-  EXPECT_EQ(model(cloud, o).source, TerrainSource::normalised);
-  EXPECT_EQ(model(cloud, o).height_above_ground[7], cloud.positions()[7].z());
+  EXPECT_EQ(modelled(cloud, o).source, TerrainSource::normalised);
+  EXPECT_EQ(modelled(cloud, o).height_above_ground[7], cloud.positions()[7].z());
   const auto flat = changed(terrain, [](Eigen::Vector3f& p, float h, int) {
     p.z() = h;
     return true;
   });
   o.method = GroundMethod::tin;
-  EXPECT_EQ(model(flat, o).source, TerrainSource::ground);
+  EXPECT_EQ(modelled(flat, o).source, TerrainSource::ground);
 }
 
 // The ground is gone and herbs hang over it: the feet of the stems tell where it was.
@@ -163,7 +163,7 @@ TEST(GroundEvidence, FeetOfStemsAreTheGroundWhereNoneWasSeen) {
       return label != 2;
     });
     const auto lifted = [&](double x, double y) { return terrain.height(x, y) + 40; };
-    const auto m = model(with_herbs(cloud, lifted));
+    const auto m = modelled(with_herbs(cloud, lifted));
     EXPECT_EQ(m.source, TerrainSource::feet) << slope;
     ASSERT_TRUE(finding(m.report, "terrain_from_stem_feet")) << slope;
     EXPECT_EQ(finding(m.report, "terrain_from_stem_feet")->severity, Severity::look);
@@ -181,7 +181,7 @@ TEST(GroundEvidence, AGroundThatIsSeenNeedsNoFeet) {
     auto recipe = stand(slope);
     recipe.rocks = 8, recipe.shrubs = 15, recipe.fallen_stems = 3;
     Terrain terrain(recipe);
-    const auto m = model(terrain.cloud());
+    const auto m = modelled(terrain.cloud());
     EXPECT_EQ(m.source, TerrainSource::ground) << slope;
     EXPECT_GT(m.report.counts.at("upright_structures"), 20);
     EXPECT_TRUE(m.report.findings.empty());
@@ -192,7 +192,7 @@ TEST(GroundEvidence, ThickLitterIsTold) {
   Terrain terrain(stand());
   std::mt19937 random(9);
   std::uniform_real_distribution<float> litter(0, 0.35F);
-  const auto m = model(changed(terrain, [&](Eigen::Vector3f& p, float, int label) {
+  const auto m = modelled(changed(terrain, [&](Eigen::Vector3f& p, float, int label) {
     if (label == 2) p.z() += litter(random);
     return true;
   }));
@@ -206,7 +206,7 @@ TEST(GroundEvidence, ALevelCutIsRefused) {
     p.z() = h;
     return h > 0.5F;
   });
-  const auto m = model(cloud);
+  const auto m = modelled(cloud);
   ASSERT_TRUE(finding(m.report, "stems_cut_off"));
   EXPECT_EQ(finding(m.report, "stems_cut_off")->severity, Severity::refused);
   EXPECT_THAT(finding(m.report, "stems_cut_off")->text, ::testing::HasSubstr("method=normalised"));
@@ -220,7 +220,7 @@ TEST(GroundEvidence, MoreNoiseThanGroundIsRefused) {
   const auto cloud = changed(terrain, [](Eigen::Vector3f&, float, int label) { return label != 2; });
   GroundOptions o;
   o.cell = 0.5;
-  const auto m = model(with_herbs(cloud, [&](double x, double y) { return terrain.height(x, y); }), o);
+  const auto m = modelled(with_herbs(cloud, [&](double x, double y) { return terrain.height(x, y); }), o);
   const auto* told = finding(m.report, "ground_more_noise_than_ground");
   ASSERT_TRUE(told) << m.report.counts.at("low_noise_points") << " " << m.report.counts.at("ground_points");
   EXPECT_EQ(told->severity, Severity::refused);
@@ -236,14 +236,14 @@ TEST(GroundEvidence, MovingTheCloudMovesTheTerrainAndNothingElse) {
     p = (p * 1000).array().round() / 1000;  // as LAS stores it
     return true;
   });
-  const auto here = model(cloud);
+  const auto here = modelled(cloud);
   const Eigen::Vector3d origin(481200, 3812900, 300);  // readers keep what is large apart from the float32 positions
   for (const Eigen::Vector3d& local :
        {Eigen::Vector3d(0.1, 0.07, 0), Eigen::Vector3d(0, 0, 0.41), Eigen::Vector3d(-13.37, 4.21, -7.7)}) {
     const Eigen::Vector3d shift = origin + local;
     auto positions = cloud.positions();
     for (auto& p : positions) p = ((p.cast<double>() + local) * 1000).array().round().matrix().cast<float>() / 1000;
-    const auto there = model(PointCloud(positions, origin));
+    const auto there = modelled(PointCloud(positions, origin));
     double worst = 0;
     for (double x = -9; x <= 9; x += 0.3)
       for (double y = -9; y <= 9; y += 0.3)
@@ -270,7 +270,7 @@ TEST(GroundEvidence, RoofsAreNoGroundInASparseCloudFromTheAir) {
     }
     const PointCloud cloud(positions);
     EXPECT_EQ(point_spacing(cloud), 1.0);
-    const auto m = model(cloud);
+    const auto m = modelled(cloud);
     std::size_t wrong = 0, lost = 0;
     for (std::size_t i = 0; i < roof.size(); ++i) {
       wrong += roof[i] && m.classification[i] == 2 ? 1 : 0;

@@ -157,7 +157,7 @@ TEST(Bag, DatabasesGiveTheirMessages) {
   const auto messages = conversation();
   write_database(dir / "plain.db3", messages);
   write_database(dir / "packed?.db3", messages, zstd);
-  write_file(dir / "file.db3.zstd", zstd(read_file(dir / "plain.db3")));
+  write_file(dir / "file.db3.zstd", zstd(file_text(dir / "plain.db3")));
   McapWriter writer;
   write_file(dir / "file.mcap.zstd", zstd(writer.write(messages)));
   for (const char* name : {"plain.db3", "packed?.db3", "file.db3.zstd", "file.mcap.zstd"}) {
@@ -169,7 +169,7 @@ TEST(Bag, DatabasesGiveTheirMessages) {
     ASSERT_NE(format, nullptr);
     EXPECT_EQ(format->content(), FileContent::scan);
   }
-  expect_same(*open_bag(bytes_of(read_file(dir / "plain.db3")), "memory"), messages);
+  expect_same(*open_bag(bytes_of(file_text(dir / "plain.db3")), "memory"), messages);
 }
 
 TEST(Bag, AFolderJoinsItsFiles) {
@@ -199,7 +199,7 @@ TEST(Bag, AFolderJoinsItsFiles) {
   const auto cut = open_bag(dir.path());
   EXPECT_THAT(cut->damage(), testing::Contains(HasSubstr("12 of 36 messages")));
   EXPECT_NEAR(cut->lost_share(), 1.0 / 3, 1e-9);
-  EXPECT_EQ(parse_bag_metadata(read_file(dir / "metadata.yaml")).files.size(), 4U);
+  EXPECT_EQ(parse_bag_metadata(file_text(dir / "metadata.yaml")).files.size(), 4U);
 }
 
 TEST(Bag, ACutBagGivesWhatItHolds) {
@@ -289,7 +289,7 @@ TEST(Bag, EmptyAndForeignFilesAreRefused) {
 TEST(Bag, ACutDatabaseGivesWhatItHolds) {
   const TempDir dir;
   write_database(dir / "a.db3", conversation(2000));
-  const auto whole = read_file(dir / "a.db3");
+  const auto whole = file_text(dir / "a.db3");
   write_file(dir / "b.db3", whole.substr(0, whole.size() / 2));
   const auto bag = open_bag(dir / "b.db3");
   EXPECT_THAT(bag->damage(), ElementsAre(HasSubstr("damaged")));
@@ -309,7 +309,7 @@ std::size_t messages_in(const Bag& bag) {
 TEST(Bag, AFolderTellsWhatItsFilesLost) {
   const TempDir dir;
   write_database(dir / "walk_0.db3", conversation(2000));
-  const auto whole = read_file(dir / "walk_0.db3");
+  const auto whole = file_text(dir / "walk_0.db3");
   write_file(dir / "walk_0.db3", whole.substr(0, whole.size() / 2));
   EXPECT_NEAR(open_bag(dir.path())->lost_share(), 0.5, 0.01);
   std::filesystem::remove(dir / "walk_0.db3");
@@ -328,7 +328,7 @@ TEST(Bag, AFolderWithoutMetadataIsOneRecordingOrRefused) {
   const TempDir dir;
   const auto messages = conversation(24);
   write_database(dir / "walk_0.db3", {messages.begin(), messages.begin() + 12});
-  write_file(dir / "walk_0.db3.zstd", zstd(read_file(dir / "walk_0.db3")));
+  write_file(dir / "walk_0.db3.zstd", zstd(file_text(dir / "walk_0.db3")));
   {
     const auto one = open_bag(dir.path());
     EXPECT_EQ(messages_in(*one), 12U);
@@ -356,7 +356,7 @@ TEST(Bag, ACutCompressedFileTellsItsLossAndOneWithinAnotherIsRefused) {
   const auto bag = open_bag(dir / "b.mcap.zstd");
   EXPECT_NEAR(bag->lost_share(), 0.5, 0.1);
   EXPECT_THAT(bag->damage(), testing::Contains(HasSubstr("compressed file is cut off")));
-  write_file(dir / "twice.db3.zstd", zstd(zstd(read_file(dir / "a.db3"))));
+  write_file(dir / "twice.db3.zstd", zstd(zstd(file_text(dir / "a.db3"))));
   EXPECT_THAT(error_of([&] { open_bag(dir / "twice.db3.zstd"); }), HasSubstr("compressed again"));
 }
 

@@ -335,7 +335,7 @@ TEST(BoleViews, AnImageThatChangesAfterwardsIsNamed) {
   const TempDir dir;
   write_view_folder(dir.path(), 4);
   const auto views = opened(dir.path()).views;
-  const auto whole = read_file(dir / "color/000002.png");
+  const auto whole = file_text(dir / "color/000002.png");
   write_file(dir / "color/000002.png", whole.substr(0, whole.size() / 2));
   View view;
   EXPECT_THAT(error_of([&] { views->read(2, view); }), HasSubstr("000002.png"));
@@ -345,7 +345,7 @@ TEST(BoleViews, AnImageThatChangesAfterwardsIsNamed) {
 TEST(BoleViews, DepthThatIsCutOffIsTold) {
   const TempDir dir;
   write_view_folder(dir.path(), 1);
-  const auto whole = read_file(dir / "depth/000000.png");
+  const auto whole = file_text(dir / "depth/000000.png");
   write_file(dir / "depth/000000.png", whole.substr(0, whole.size() - 30));
   EXPECT_THAT(finding_text(opened(dir.path()).report, "input_damaged"), HasSubstr("depth/000000.png"));
   write_depth(dir / "depth/000000.png", DepthImage(view_width, view_height));

@@ -25,7 +25,7 @@ const std::filesystem::path fixture = BOLE_SOURCE_DIR "/tests/data/copc/octree.c
 constexpr const char* part = "500004.0005,5400004.0005,500012.0005,5400010.0005";
 
 std::vector<std::uint8_t> fixture_bytes() {
-  const auto text = read_file(fixture);
+  const auto text = file_text(fixture);
   return {text.begin(), text.end()};
 }
 

@@ -20,7 +20,7 @@ using test::pose_xml;
 using test::ring_scan;
 using testing::HasSubstr;
 
-CloudReading read(const std::vector<E57Scan>& scans, const CloudReadOptions& options = {}) {
+CloudReading read_scans(const std::vector<E57Scan>& scans, const CloudReadOptions& options = {}) {
   E57File file;
   file.scans = scans;
   return read_cloud(Bytes(file.bytes()), "a.e57", options);
@@ -48,30 +48,30 @@ E57Scan grid(unsigned bits, const Eigen::Vector3d& shift, const std::string& xml
 }
 
 TEST(E57Places, GridsInProjectedCoordinatesHaveNone) {
-  EXPECT_TRUE(has_places(read({grid(8, {0, 0, 1})})));
-  EXPECT_FALSE(has_places(read({grid(8, {500000, 5400000, 300})})));
+  EXPECT_TRUE(has_places(read_scans({grid(8, {0, 0, 1})})));
+  EXPECT_FALSE(has_places(read_scans({grid(8, {500000, 5400000, 300})})));
   auto around = grid(8, {0, 0, 0});  // the origin is among them, and far from nearly all
   for (auto& row : around.rows) row[0] *= 1000, row[1] *= 1000;
-  EXPECT_FALSE(has_places(read({around})));
+  EXPECT_FALSE(has_places(read_scans({around})));
   CloudReadOptions given;
   given.scan_positions = ScanPositions::given;
-  EXPECT_TRUE(read({around}, given).cloud.has(arrays::sensor_x));
+  EXPECT_TRUE(read_scans({around}, given).cloud.has(arrays::sensor_x));
 }
 
-TEST(E57Places, IndicesThatAreAllTheSameAreNoGrid) { EXPECT_FALSE(has_places(read({grid(0, {0, 0, 1})}))); }
+TEST(E57Places, IndicesThatAreAllTheSameAreNoGrid) { EXPECT_FALSE(has_places(read_scans({grid(0, {0, 0, 1})}))); }
 
 TEST(E57Places, ShiftsOfCloudCompareAndMergedScansAreNone) {
-  EXPECT_FALSE(
-      has_places(read({ring_scan(100, pose_xml(500100, 5400000, 0)), ring_scan(100, pose_xml(500300, 5400000, 0))})));
+  EXPECT_FALSE(has_places(
+      read_scans({ring_scan(100, pose_xml(500100, 5400000, 0)), ring_scan(100, pose_xml(500300, 5400000, 0))})));
   const std::string merged =
       "<originalGuids type=\"Vector\"><vectorChild type=\"String\">a</vectorChild>"
       "<vectorChild type=\"String\">b</vectorChild></originalGuids>";
-  EXPECT_FALSE(has_places(read({ring_scan(100, pose_xml(12, 7, 0) + merged)})));
-  EXPECT_TRUE(has_places(read({ring_scan(100, pose_xml(12, 7, 0))})));
+  EXPECT_FALSE(has_places(read_scans({ring_scan(100, pose_xml(12, 7, 0) + merged)})));
+  EXPECT_TRUE(has_places(read_scans({ring_scan(100, pose_xml(12, 7, 0))})));
 }
 
 TEST(E57Places, TheFirstOfRegisteredScansMayHaveNoPose) {
-  const auto reading = read({ring_scan(100), ring_scan(100, pose_xml(12, 7, 0))});
+  const auto reading = read_scans({ring_scan(100), ring_scan(100, pose_xml(12, 7, 0))});
   ASSERT_TRUE(has_places(reading));
   const auto& x = reading.cloud.values<float>(arrays::sensor_x);
   EXPECT_EQ(x.front(), 0);
@@ -93,7 +93,7 @@ TEST(E57Fields, OfOtherNamesNeverStandInTheColumnsOfBole) {
                 {"b:foo", 64}},
                {{1, 2, 3, 4, 91, 92, 93, 94, 95, 96, 97, 98}, {-1, -2, 3, 5, 91, 92, 93, 94, 95, 96, 97, 98}},
                pose_xml(12, 7, 0)};
-  const auto reading = read({scan});
+  const auto reading = read_scans({scan});
   const auto& cloud = reading.cloud;
   EXPECT_LT((cloud.position(0) - Eigen::Vector3d(13, 9, 3)).norm(), 1e-5);
   EXPECT_EQ(cloud.values<float>(arrays::intensity), (std::vector<float>{4, 5}));
@@ -110,7 +110,7 @@ TEST(E57Fields, OfOtherNamesNeverStandInTheColumnsOfBole) {
 TEST(E57Fields, EmptyCellsOfAGridAreNoPoints) {
   auto scan = grid(8, {0, 0, 1});
   for (const std::size_t i : {3, 7, 8}) scan.rows[i][0] = scan.rows[i][1] = scan.rows[i][2] = 0;
-  const auto reading = read({scan});
+  const auto reading = read_scans({scan});
   EXPECT_EQ(reading.cloud.size(), 97U);
   EXPECT_EQ(reading.report.counts.at("empty_cells"), 3);
 }
@@ -118,7 +118,7 @@ TEST(E57Fields, EmptyCellsOfAGridAreNoPoints) {
 TEST(E57Numbers, RangesAreInMetresLikeTheirPoints) {
   CloudReadOptions feet;
   feet.unit = LengthUnit::foot;
-  auto cloud = read({ring_scan(100, pose_xml(12, 7, 0))}, feet).cloud;
+  auto cloud = read_scans({ring_scan(100, pose_xml(12, 7, 0))}, feet).cloud;
   const auto& range = cloud.values<float>(arrays::range);
   EXPECT_NEAR(range[0], 5 * 0.3048, 1e-5);
   turn_cloud(cloud, 2 * rotation_to_z_up(UpAxis::y));
@@ -126,11 +126,11 @@ TEST(E57Numbers, RangesAreInMetresLikeTheirPoints) {
 }
 
 TEST(E57Numbers, LimitsAsScaledIntegersAreScaled) {
-  const auto reading =
-      read({ring_scan(100,
-                      "<intensityLimits type=\"Structure\"><intensityMinimum type=\"ScaledInteger\" scale=\"0.001\">0"
-                      "</intensityMinimum><intensityMaximum type=\"ScaledInteger\" scale=\"0.001\" offset=\"1\">65535"
-                      "</intensityMaximum></intensityLimits>")});
+  const auto reading = read_scans(
+      {ring_scan(100,
+                 "<intensityLimits type=\"Structure\"><intensityMinimum type=\"ScaledInteger\" scale=\"0.001\">0"
+                 "</intensityMinimum><intensityMaximum type=\"ScaledInteger\" scale=\"0.001\" offset=\"1\">65535"
+                 "</intensityMaximum></intensityLimits>")});
   EXPECT_NEAR(reading.report.metrics.at("intensity_max").value, 66.535, 1e-9);
 }
 
@@ -139,7 +139,7 @@ TEST(E57Numbers, PosesThatAreNoneLeaveTheirScanOut) {
     auto xml = pose_xml(12.5, 7, 0);
     xml.replace(xml.find("12.5"), 9, lie);
     auto scan = ring_scan(100, "<name type=\"String\">west</name>" + xml);
-    const auto reading = read({ring_scan(100), scan});
+    const auto reading = read_scans({ring_scan(100), scan});
     EXPECT_EQ(reading.cloud.size(), 90U) << lie;
     EXPECT_TRUE(warns(reading, "scan 1 ('west')")) << lie;
     EXPECT_TRUE(has_finding(reading.report, finding_code::input_incomplete)) << lie;

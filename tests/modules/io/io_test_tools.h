@@ -12,10 +12,14 @@
 #include <vector>
 
 #include "base/error.h"
+#include "checks.h"
 #include "io/core/bytes/mapped_file.h"
 #include "real_data.h"
 
 namespace bole::testing_io {
+
+using testing_checks::error_of;
+using testing_checks::file_text;
 
 inline std::filesystem::path shared(const std::string& relative) {
   return std::filesystem::path(BOLE_SHARED_DATA_DIR) / relative;
@@ -61,22 +65,6 @@ void put(std::string& out, T value) {
 inline void write_file(const std::filesystem::path& path, const std::string& content) {
   std::filesystem::create_directories(path.parent_path());
   std::ofstream(path, std::ios::binary) << content;
-}
-
-inline std::string read_file(const std::filesystem::path& path) {
-  std::ostringstream out;
-  out << std::ifstream(path, std::ios::binary).rdbuf();
-  return out.str();
-}
-
-template <class F>
-std::string error_of(F&& f) {
-  try {
-    f();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "no error";
 }
 
 }  // namespace bole::testing_io

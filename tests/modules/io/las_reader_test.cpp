@@ -17,7 +17,7 @@ using test::LasFile;
 using testing::Contains;
 using testing::HasSubstr;
 
-std::string error_of(const std::vector<std::uint8_t>& bytes) {
+std::string las_error_of(const std::vector<std::uint8_t>& bytes) {
   try {
     read_las(bytes);
   } catch (const Error& error) {
@@ -202,13 +202,13 @@ TEST(LasReader, ExtraBytesNamedAsAFlag) {
 }
 
 TEST(LasReader, HeadersThatCannotBeUsed) {
-  EXPECT_THAT(error_of({}), HasSubstr("does not begin with LASF"));
+  EXPECT_THAT(las_error_of({}), HasSubstr("does not begin with LASF"));
   const auto good = small_file().bytes();
-  EXPECT_THAT(error_of({good.begin(), good.begin() + 100}), HasSubstr("ends after 100 bytes"));
+  EXPECT_THAT(las_error_of({good.begin(), good.begin() + 100}), HasSubstr("ends after 100 bytes"));
   const auto with = [&](std::size_t at, auto value) {
     auto bytes = good;
     las::store(&bytes[at], value);
-    return error_of(bytes);
+    return las_error_of(bytes);
   };
   EXPECT_THAT(with(25, std::uint8_t{9}), HasSubstr("LAS version 1.9"));
   EXPECT_THAT(with(94, std::uint16_t{20}), HasSubstr("has 20 bytes"));
@@ -232,7 +232,7 @@ TEST(LasReader, CountsBeyondTheFileGiveWhatIsThere) {
   bytes.resize(bytes.size() - 5);
   EXPECT_EQ(read_las(bytes).size(), 9U);
   bytes.resize(las::load<std::uint32_t>(&bytes[96]) + 3);
-  EXPECT_THAT(error_of(bytes), HasSubstr("none of the 4000000000 points"));
+  EXPECT_THAT(las_error_of(bytes), HasSubstr("none of the 4000000000 points"));
 }
 
 TEST(LasReader, CountsThatDisagree) {

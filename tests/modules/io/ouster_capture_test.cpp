@@ -150,7 +150,7 @@ TEST(OusterCapture, WhatIsLostIsCounted) {
 TEST(OusterCapture, ACutCaptureGivesTheFramesBeforeTheCut) {
   const TempDir folder;
   const auto path = Recording().write(folder);
-  auto bytes = read_file(path);
+  auto bytes = file_text(path);
   write_file(path, bytes.substr(0, bytes.size() * 6 / 10));
   Report report;
   const auto source = open_frame_source(path, {}, {}, report);

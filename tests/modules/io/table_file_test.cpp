@@ -56,7 +56,7 @@ TEST(TableFile, WhatIsWrittenIsReadBack) {
   t.set("empty", std::vector<std::string>{"", ""});
   const TempDir dir;
   write_table(dir / "sub/t.csv", t, {{"x_m", 3}});
-  EXPECT_THAT(read_file(dir / "sub/t.csv"), HasSubstr("3,0.3333333333333333,1.235,"));
+  EXPECT_THAT(file_text(dir / "sub/t.csv"), HasSubstr("3,0.3333333333333333,1.235,"));
   const auto back = read_table(dir / "sub/t.csv");
   EXPECT_EQ(back.integers("tree_id"), t.integers("tree_id"));
   EXPECT_EQ(back.numbers("dbh_cm")[0], 1.0 / 3);

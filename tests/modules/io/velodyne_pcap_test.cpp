@@ -7,10 +7,10 @@
 #include <fstream>
 #include <numbers>
 
-#include "modules/sensor/velodyne_calibration.h"
 #include "cloud/known_facts.h"
 #include "io/core/clouds/cloud_reader.h"
 #include "io_test_tools.h"
+#include "modules/sensor/velodyne_calibration.h"
 #include "sensor/core/pcap_writer.h"
 #include "sensor/core/velodyne_encoder.h"
 
@@ -218,7 +218,7 @@ TEST(VelodynePcap, DualReturns) {
 TEST(VelodynePcap, AFileThatIsCutOffKeepsItsFrames) {
   const TempDir dir;
   const Recorder recorder{sensor::load_sensor_model("vlp16")};
-  const auto whole = read_file(write_pcap(dir / "a.pcap", recorder.packets(1)));
+  const auto whole = file_text(write_pcap(dir / "a.pcap", recorder.packets(1)));
   write_file(dir / "b.pcap", whole.substr(0, whole.size() * 2 / 3 + 100));
   const VelodynePcapSource source(dir / "b.pcap", {}, {});
   EXPECT_EQ(source.size(), 6U);
@@ -407,8 +407,7 @@ TEST(VelodynePcap, TheCalibrationBesideACaptureWins) {
     EXPECT_NEAR(p.z(), 0, 1e-5);
   }
   write_file(dir / "other.xml", testing_velodyne::calibration_xml(std::vector<testing_velodyne::UnitLaser>(64)));
-  EXPECT_THAT(error_of([&] { VelodynePcapSource(path, FrameSourceOptions{}, {}); }),
-              HasSubstr("several calibrations"));
+  EXPECT_THAT(error_of([&] { VelodynePcapSource(path, FrameSourceOptions{}, {}); }), HasSubstr("several calibrations"));
   std::filesystem::remove(dir / "other.xml");
   write_file(dir / "db.xml", testing_velodyne::calibration_xml(std::vector<testing_velodyne::UnitLaser>(16)));
   const VelodynePcapSource other(path, FrameSourceOptions{}, {});

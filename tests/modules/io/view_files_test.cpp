@@ -133,7 +133,7 @@ TEST(ViewFiles, FilesThatAreCutOffAreRefused) {
   write_color(dir / "a.jpg", picture(1));
   write_depth(dir / "d.png", slope(1));
   for (const char* name : {"a.png", "a.jpg", "d.png"}) {
-    const auto whole = read_file(dir / name);
+    const auto whole = file_text(dir / name);
     for (const std::size_t kept : {std::size_t{0}, std::size_t{20}, whole.size() / 2, whole.size() - 20}) {
       write_file(dir / name, whole.substr(0, kept));
       ColorImage color;
@@ -153,7 +153,7 @@ TEST(ViewFiles, FilesThatAreCutOffAreRefused) {
 TEST(ViewFiles, HeadersThatLieAreNotBelieved) {
   const TempDir dir;
   write_color(dir / "a.png", picture(1));
-  auto png = read_file(dir / "a.png");
+  auto png = file_text(dir / "a.png");
   png[16] = '\x7F';  // a width of two thousand million
   EXPECT_FALSE(image_header(bytes_of(png)));
   EXPECT_FALSE(image_header(bytes_of("P5 60000 60000 65535\n12")));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/verdict.h"
 #include "io/core/tables/trajectory_file.h"
 #include "io/core/views/camera_file.h"
 #include "io/core/views/view_files.h"
@@ -69,12 +70,6 @@ inline void write_view_folder(const std::filesystem::path& folder, int count) {
   }
   write_camera_file(folder / "camera.json", small_camera());
   write_tum(folder / "poses.tum", poses);
-}
-
-inline bool has_finding(const Report& report, const std::string& code) {
-  for (const auto& f : report.findings)
-    if (f.code == code) return true;
-  return false;
 }
 
 inline std::string finding_text(const Report& report, const std::string& code) {

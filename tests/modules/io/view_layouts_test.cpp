@@ -102,7 +102,7 @@ TEST(TumViews, ColourDepthAndPosesMeetByTime) {
 TEST(TumViews, ListedFilesThatAreMissingAreCounted) {
   const TempDir dir;
   write_tum_folder(dir.path());
-  auto rgb = read_file(dir / "rgb.txt");
+  auto rgb = file_text(dir / "rgb.txt");
   for (int i = 10; i < 30; ++i) rgb += std::to_string(1305031454 + 0.1 * i) + " rgb/none.png\n";
   write_file(dir / "rgb.txt", rgb);
   const auto [views, report] = opened(dir.path(), {.camera = "60,61,31.5,23.5"});

@@ -14,7 +14,7 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 const StageRegistry& registry() {
-  static const StageRegistry r = testing::toy_registry();
+  static const StageRegistry r = toy::toy_registry();
   return r;
 }
 
@@ -38,7 +38,7 @@ TEST(Document, StagesRunAfterThoseTheyTakeFrom) {
   std::vector<std::string> ids;
   for (const auto* node : document.in_order()) ids.push_back(node->id);
   EXPECT_THAT(ids, ::testing::ElementsAre("scan", "height", "slice"));
-  EXPECT_EQ(document.at("slice").options.as<testing::SliceOptions>().height, 1.37);
+  EXPECT_EQ(document.at("slice").options.as<toy::SliceOptions>().height, 1.37);
   EXPECT_THAT(validate(document), IsEmpty());
 }
 
@@ -70,7 +70,7 @@ TEST(Document, ErrorsNameThePlaceAndTheRemedy) {
 TEST(Document, SetTakesStageDotOption) {
   auto document = PipelineDocument::parse(chain, registry());
   document.set("slice.thickness", "0.2");
-  EXPECT_EQ(document.at("slice").options.as<testing::SliceOptions>().thickness, 0.2);
+  EXPECT_EQ(document.at("slice").options.as<toy::SliceOptions>().thickness, 0.2);
   EXPECT_THROW(document.set("slice", "1"), Error);
   EXPECT_THROW(document.set("slices.height", "1"), Error);
   EXPECT_THROW(document.set("slice.height", "tall"), Error);
@@ -79,7 +79,7 @@ TEST(Document, SetTakesStageDotOption) {
 TEST(Document, PathsAreTakenFromTheDocumentsFolder) {
   const auto document = PipelineDocument::parse(
       R"({"stages": [{"id": "a", "type": "toy.read", "options": {"file": "data/x.las"}}]})", registry(), "/plots/one");
-  EXPECT_EQ(document.at("a").options.as<testing::ReadOptions>().file, "/plots/one/data/x.las");
+  EXPECT_EQ(document.at("a").options.as<toy::ReadOptions>().file, "/plots/one/data/x.las");
 }
 
 TEST(Document, AnOptionalStageIsSkippedWhileItsFileIsNotGiven) {

@@ -18,7 +18,7 @@ std::string error_of(const std::function<void()>& act) {
 
 class RunStage : public ::testing::Test {
  protected:
-  StageRegistry registry = testing::toy_registry();
+  StageRegistry registry = toy::toy_registry();
   const StageType& slice = registry.at("toy.slice");
   OptionSet options{*slice.options};
 };
@@ -77,7 +77,7 @@ TEST(RunControl, PartsShareOneProgress) {
 }
 
 TEST(Registry, UnknownTypesAreAnsweredWithTheNearest) {
-  const auto registry = testing::toy_registry();
+  const auto registry = toy::toy_registry();
   EXPECT_THAT(error_of([&] { registry.at("toy.slize"); }), HasSubstr("Did you mean toy.slice"));
 }
 

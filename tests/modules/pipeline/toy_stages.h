@@ -7,7 +7,7 @@
 
 #include "pipeline/stage.h"
 
-namespace bole::testing {
+namespace bole::toy {
 
 using namespace pipeline;
 
@@ -79,4 +79,4 @@ inline StageRegistry toy_registry() {
   return registry;
 }
 
-}  // namespace bole::testing
+}  // namespace bole::toy

@@ -1,5 +1,6 @@
 // From folders of runs to the files of their comparison.
 #include "report/compare/compare_report.h"
+#include "checks.h"
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -24,13 +25,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-std::string contents(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+using testing_checks::file_text;
 
 Table trees(unsigned seed, double dx_m, double dbh_cm, double noise_m) {
   std::mt19937 random(seed);
@@ -168,12 +163,12 @@ TEST_F(CompareReport, WritesTablesFiguresAndPage) {
   EXPECT_NEAR(diameters.numbers("dbh_bias_cm")[1], 2.5, 1e-6);
   EXPECT_NEAR(diameters.numbers("published_dbh_rel_bias_pct")[0], 1.22, 1e-9) << "improved LOAM beside forest";
   EXPECT_NEAR(diameters.numbers("published_dbh_rel_bias_pct")[1], 12.80, 1e-9) << "LOAM beside loam";
-  const auto json = nlohmann::json::parse(contents(run_.output_dir / "comparison.json"));
+  const auto json = nlohmann::json::parse(file_text(run_.output_dir / "comparison.json"));
   EXPECT_EQ(json.at("runs").size(), 2U);
   EXPECT_EQ(json.at("groups")[0].at("matched"), 25);
   EXPECT_EQ(json.at("pairs")[0].at("against"), "forest");
   EXPECT_TRUE(json.at("pairs")[0].at("published_rmse_x_m").is_null()) << "a difference of runs has no published figure";
-  const auto page = contents(run_.output_dir / "report.html");
+  const auto page = file_text(run_.output_dir / "report.html");
   EXPECT_THAT(page, HasSubstr("(12.80)"));
   EXPECT_THAT(page, HasSubstr("from field data"));
 }
@@ -192,7 +187,7 @@ TEST_F(CompareReport, FiguresOfSeveralPlotsAreByPlotAndPooled) {
   const auto positions = io::read_table(run_.output_dir / "positions.csv");
   EXPECT_EQ(positions.rows(), 6U) << "four runs, two systems over both plots";
   EXPECT_FALSE(positions.has("published_mu_x_m")) << "stands of no paper";
-  EXPECT_THAT(contents(run_.output_dir / "report.html"), Not(HasSubstr("from field data")));
+  EXPECT_THAT(file_text(run_.output_dir / "report.html"), Not(HasSubstr("from field data")));
 }
 
 TEST_F(CompareReport, WithoutAReferenceThereAreNoTablesOfErrors) {
@@ -202,7 +197,7 @@ TEST_F(CompareReport, WithoutAReferenceThereAreNoTablesOfErrors) {
   EXPECT_THAT(result.report.warnings, testing::IsEmpty());
   EXPECT_FALSE(std::filesystem::exists(run_.output_dir / "diameters.csv"));
   EXPECT_NEAR(io::read_table(run_.output_dir / "pairs.csv").numbers("dbh_bias_cm")[0], 0.5, 1e-9);
-  EXPECT_THAT(contents(run_.output_dir / "figures/dbh_scatter.svg").size(), testing::Gt(1000U));
+  EXPECT_THAT(file_text(run_.output_dir / "figures/dbh_scatter.svg").size(), testing::Gt(1000U));
 }
 
 TEST_F(CompareReport, ACloudThatCannotBeReadIsAFinding) {

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "../render/small_survey.h"
+#include "checks.h"
 #include "io/core/clouds/cloud_reader.h"
 #include "io/core/gdal/gdal_writer.h"
 #include "io/core/tables/table_file.h"
@@ -22,14 +23,8 @@
 namespace bole::report {
 namespace {
 
+using testing_checks::file_text;
 using Ids = std::set<std::int64_t>;
-
-std::string contents(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 Ids ids_in(const std::string& text, const std::regex& pattern) {
   Ids ids;
@@ -81,10 +76,10 @@ TEST(Exports, TreeIdsAreTheSameInEveryFile) {
   EXPECT_EQ(ids_of_layer(dir / "plot.gpkg", "sections"), ids);
   EXPECT_FALSE(std::filesystem::exists(dir / "stems.geojson")) << "the place of local coordinates is not known";
   EXPECT_THAT(report.facts["stems.geojson"], testing::HasSubstr("not written"));
-  EXPECT_EQ(ids_in(contents(dir / "stems.obj"), std::regex("o tree_(\\d+)\n")), ids);
-  EXPECT_EQ(ids_in(contents(dir / "stems.ply"), std::regex("\n24(?: \\d+){24} (\\d+)\n")), ids);
-  EXPECT_EQ(ids_of_vtp(contents(dir / "stems.vtp")), ids);
-  EXPECT_EQ(ids_of_vtp(contents(dir / "stem_curves.vtp")), ids);
+  EXPECT_EQ(ids_in(file_text(dir / "stems.obj"), std::regex("o tree_(\\d+)\n")), ids);
+  EXPECT_EQ(ids_in(file_text(dir / "stems.ply"), std::regex("\n24(?: \\d+){24} (\\d+)\n")), ids);
+  EXPECT_EQ(ids_of_vtp(file_text(dir / "stems.vtp")), ids);
+  EXPECT_EQ(ids_of_vtp(file_text(dir / "stem_curves.vtp")), ids);
   std::filesystem::remove_all(dir);
 }
 
@@ -100,11 +95,11 @@ TEST(Exports, RejectedStemsHaveNoShape) {
   Report report;
   for (const auto& e : survey_exports(data, {})) e.write(dir / e.file, {}, report);
   EXPECT_EQ(io::read_table(dir / "stems.csv").rows(), s.stems.rows());  // with its state
-  auto ids = ids_in(contents(dir / "stems.obj"), std::regex("o tree_(\\d+)\n"));
+  auto ids = ids_in(file_text(dir / "stems.obj"), std::regex("o tree_(\\d+)\n"));
   EXPECT_EQ(ids.size(), s.stems.rows() - 1);
   EXPECT_FALSE(ids.contains(3));
-  EXPECT_EQ(ids_of_vtp(contents(dir / "stems.vtp")), ids);
-  EXPECT_EQ(ids_of_vtp(contents(dir / "stem_curves.vtp")), ids);
+  EXPECT_EQ(ids_of_vtp(file_text(dir / "stems.vtp")), ids);
+  EXPECT_EQ(ids_of_vtp(file_text(dir / "stem_curves.vtp")), ids);
   std::filesystem::remove_all(dir);
 
   // Figures show what they show without it.

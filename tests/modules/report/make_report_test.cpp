@@ -11,6 +11,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "checks.h"
 #include "cloud/known_facts.h"
 #include "inventory/core/value_tables.h"
 #include "io/core/gdal/gdal_writer.h"
@@ -27,13 +28,7 @@ namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-std::string contents(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+using testing_checks::file_text;
 
 Table plot_table() { return to_table({rectangle_area({0, 0}, 32, 32), 7.5}); }
 
@@ -154,7 +149,7 @@ TEST_F(MakeReport, WritesEverything) {
   EXPECT_EQ(io::read_table(dir_ / "stems.csv").rows(), s.stems.rows());
   EXPECT_EQ(io::read_geotiff(dir_ / "dem.tif").values.size(), s.dem.values.size());
 
-  const auto html = contents(dir_ / "report.html");
+  const auto html = file_text(dir_ / "report.html");
   const auto page = without_pictures(html);
   EXPECT_THAT(html, HasSubstr("data:image/png;base64,"));
   EXPECT_THAT(html, HasSubstr("data:image/svg+xml;base64,"));
@@ -198,7 +193,7 @@ TEST_F(MakeReport, BeginsWithWhatWasSurveyedAndTheVerdict) {
   auto options = quick();
   options.figures = false;
   make_report(inputs, options, run_);
-  auto page = without_pictures(contents(dir_ / "report.html"));
+  auto page = without_pictures(file_text(dir_ / "report.html"));
   const auto first = page.substr(0, page.find("</header>"));
   EXPECT_THAT(first, HasSubstr("<dd>oak_plot.laz</dd>"));
   EXPECT_THAT(page, Not(HasSubstr("anna</dd>")));
@@ -214,11 +209,11 @@ TEST_F(MakeReport, BeginsWithWhatWasSurveyedAndTheVerdict) {
   told.stages[0].report.find(Severity::look, "thin_cloud", "6 points per stem, 40 are needed");
   run_.record = std::make_shared<const RunRecord>(told);
   make_report(inputs, options, run_);
-  EXPECT_THAT(contents(dir_ / "report.html"), HasSubstr("<h2>Look before you sign</h2>"));
+  EXPECT_THAT(file_text(dir_ / "report.html"), HasSubstr("<h2>Look before you sign</h2>"));
   told.stages[0].report.find(Severity::refused, "no_ground", "There is no ground");
   run_.record = std::make_shared<const RunRecord>(told);
   const auto result = make_report(inputs, options, run_);
-  page = contents(dir_ / "report.html");
+  page = file_text(dir_ / "report.html");
   EXPECT_THAT(page, HasSubstr("<div class=\"verdict refused\">"));
   EXPECT_THAT(page, HasSubstr("Do not use these values"));
   EXPECT_LT(page.find("There is no ground"), page.find("6 points per stem, 40 are needed"));
@@ -235,7 +230,7 @@ TEST_F(MakeReport, TheTallySheetHasEveryStemOfThePlotAndNoDiameter) {
   auto options = quick();
   options.figures = false;
   make_report(inputs, options, run_);
-  const auto page = contents(dir_ / "tally.html");
+  const auto page = file_text(dir_ / "tally.html");
   const auto table = page.substr(page.find("Distance (m)"));
   EXPECT_EQ(testing_data::markup_trouble(without_pictures(page)), "");
   for (std::size_t i = 1; i < s.stems.rows(); ++i)
@@ -276,7 +271,7 @@ TEST_F(MakeReport, SlamIsTold) {
   make_report(inputs, quick(), run_);
   EXPECT_EQ(io::read_table(dir_ / "loops.csv").rows(), 1u);
   EXPECT_EQ(io::read_table(dir_ / "odometry.csv").rows(), 3u);
-  const auto html = contents(dir_ / "report.html");
+  const auto html = file_text(dir_ / "report.html");
   const auto section = html.substr(html.find("<div id=\"slam\">"));
   for (const char* text :
        {"SLAM: from frames to a map", "Frames that could not be registered", "(below 2.3: not determined)", ">2.8<",
@@ -288,7 +283,7 @@ TEST_F(MakeReport, SlamIsTold) {
   told.stages.back().report.facts["trajectory"] = "poses.tum";
   run_.record = std::make_shared<const RunRecord>(told);
   make_report(inputs, quick(), run_);
-  EXPECT_THAT(contents(dir_ / "report.html"), Not(HasSubstr("SLAM: from frames")));
+  EXPECT_THAT(file_text(dir_ / "report.html"), Not(HasSubstr("SLAM: from frames")));
 }
 
 TEST_F(MakeReport, StemsAloneAreEnough) {
@@ -300,8 +295,8 @@ TEST_F(MakeReport, StemsAloneAreEnough) {
   EXPECT_THAT(result.report.warnings, testing::IsEmpty());
   EXPECT_TRUE(std::filesystem::exists(dir_ / "report.html"));
   // The page computes no values of its own: it names the stage that does.
-  EXPECT_THAT(contents(dir_ / "report.html"), HasSubstr("inventory.plot_values is not part of this pipeline"));
-  EXPECT_THAT(contents(dir_ / "report.html"), Not(HasSubstr("class=\"cards\"")));
+  EXPECT_THAT(file_text(dir_ / "report.html"), HasSubstr("inventory.plot_values is not part of this pipeline"));
+  EXPECT_THAT(file_text(dir_ / "report.html"), Not(HasSubstr("class=\"cards\"")));
 }
 
 TEST_F(MakeReport, WithoutAPlotNothingIsToldPerHectare) {
@@ -309,12 +304,12 @@ TEST_F(MakeReport, WithoutAPlotNothingIsToldPerHectare) {
   inputs.set("stems", testing_data::make_small_survey().stems);
   add_plot_values(inputs);
   make_report(inputs, quick(), run_);
-  EXPECT_THAT(contents(dir_ / "report.html"), Not(HasSubstr("per ha<")));
+  EXPECT_THAT(file_text(dir_ / "report.html"), Not(HasSubstr("per ha<")));
   inputs.set("plot", plot_table());
   add_plot_values(inputs);
   make_report(inputs, quick(), run_);
-  EXPECT_THAT(contents(dir_ / "report.html"), HasSubstr("per ha<"));
-  EXPECT_THAT(contents(dir_ / "report.html"), HasSubstr("32 m × 32 m"));
+  EXPECT_THAT(file_text(dir_ / "report.html"), HasSubstr("per ha<"));
+  EXPECT_THAT(file_text(dir_ / "report.html"), HasSubstr("32 m × 32 m"));
 }
 
 TEST_F(MakeReport, TreesOutsideAreCountedAndNotListed) {
@@ -331,7 +326,7 @@ TEST_F(MakeReport, TreesOutsideAreCountedAndNotListed) {
   const auto result = make_report(inputs, quick(), run_);
   EXPECT_EQ(result.report.counts.at("stems_outside"), 39);
   EXPECT_EQ(result.report.counts.at("trees_to_check"), 1);
-  const auto page = without_pictures(contents(dir_ / "report.html"));
+  const auto page = without_pictures(file_text(dir_ / "report.html"));
   EXPECT_THAT(page, HasSubstr("39 stems outside the plot are in stems.csv"));
   EXPECT_THAT(page, HasSubstr("Trees to look at in the plot (1)"));
   EXPECT_THAT(page, HasSubstr("wide interval: ±5.4 cm; only 90° of the bark seen"));
@@ -355,7 +350,7 @@ TEST_F(MakeReport, WhatAPersonDecidedNeedsNoLookAnyMore) {
   options.figures = options.tables = false;
   add_plot_values(inputs, {.class_width_cm = 2.5});
   make_report(inputs, options, run_);
-  const auto page = without_pictures(contents(dir_ / "report.html"));
+  const auto page = without_pictures(file_text(dir_ / "report.html"));
   EXPECT_THAT(page, HasSubstr("Trees to look at in the plot (2)"));
   EXPECT_THAT(page, HasSubstr("reason of stem 1<"));
   EXPECT_THAT(page, HasSubstr("reason of stem 5<"));
@@ -394,7 +389,7 @@ TEST_F(MakeReport, TheStemTableSaysWhichStemsCount) {
   for (std::size_t i = 0; i < n; ++i)
     if (counted[i] == 1) area_m2 += std::numbers::pi / 40000 * dbh[i] * dbh[i];
   EXPECT_NEAR(area_m2, m.basal_area_m2, 1e-12);
-  const auto page = without_pictures(contents(dir_ / "report.html"));
+  const auto page = without_pictures(file_text(dir_ / "report.html"));
   EXPECT_THAT(page,
               HasSubstr("Listed here, but not part of the values of the plot: tree " + s.stems.text("tree_id", 1, 0) +
                         " (thinner than 7.5 cm); tree " + s.stems.text("tree_id", 0, 0) + " (rejected by hand)."));
@@ -409,7 +404,7 @@ TEST_F(MakeReport, HeroIsDrawnWhenAskedFor) {
   auto options = quick();
   options.hero = true, options.tables = options.cloud = false;
   make_report(inputs, options, run_);
-  const auto png = contents(dir_ / "figures/hero.png");
+  const auto png = file_text(dir_ / "figures/hero.png");
   ASSERT_GT(png.size(), 24U);
   const auto width = static_cast<unsigned char>(png[18]) * 256 + static_cast<unsigned char>(png[19]);
   EXPECT_NEAR(width, 1600, 1);
@@ -437,7 +432,7 @@ TEST_F(MakeReport, OneFigureThatFailsEndsNothing) {
   const auto result = make_report(inputs, options, run_);
   EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("map by height")));
   EXPECT_TRUE(std::filesystem::exists(dir_ / "figures/dbh_histogram.svg"));
-  EXPECT_THAT(contents(dir_ / "report.html"), HasSubstr("map by height"));
+  EXPECT_THAT(file_text(dir_ / "report.html"), HasSubstr("map by height"));
 }
 
 TEST_F(MakeReport, TitleIsHarmless) {
@@ -446,7 +441,7 @@ TEST_F(MakeReport, TitleIsHarmless) {
   auto options = quick();
   options.title = "<script>alert('x')</script>";
   make_report(inputs, options, run_);
-  EXPECT_THAT(contents(dir_ / "report.html"), Not(HasSubstr("<script>alert")));
+  EXPECT_THAT(file_text(dir_ / "report.html"), Not(HasSubstr("<script>alert")));
 }
 
 TEST_F(MakeReport, CancelStops) {

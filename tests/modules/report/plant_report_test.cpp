@@ -22,12 +22,12 @@ using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
-struct Folder {
-  Folder() {
+struct PlantFolder {
+  PlantFolder() {
     run.output_dir = fs::path(testing::TempDir()) / ("plant_report_" + std::to_string(::getpid()));
     fs::remove_all(run.output_dir), fs::create_directories(run.output_dir);
   }
-  ~Folder() { fs::remove_all(run.output_dir); }
+  ~PlantFolder() { fs::remove_all(run.output_dir); }
   std::string text(const char* file) const {
     std::ifstream in(run.output_dir / file);
     std::ostringstream text;
@@ -63,7 +63,7 @@ PointCloud points() {
 }
 
 TEST(PlantReport, WritesWhatIsConnected) {
-  Folder folder;
+  PlantFolder folder;
   DataSet in;
   in.set("traits", traits());
   in.set("points", points());
@@ -103,7 +103,7 @@ TEST(PlantReport, WritesWhatIsConnected) {
 }
 
 TEST(PlantReport, LeavesOutWhatIsNot) {
-  Folder folder;
+  PlantFolder folder;
   DataSet in;
   in.set("traits", traits());
   PlantReportOptions options;
@@ -115,7 +115,7 @@ TEST(PlantReport, LeavesOutWhatIsNot) {
 }
 
 TEST(PlantReport, ACloudWithoutAPlantIsTold) {
-  Folder folder;
+  PlantFolder folder;
   auto cloud = points();
   cloud.set_column("part", std::vector<std::int32_t>(cloud.size(), 2));
   DataSet in;
@@ -190,7 +190,7 @@ TEST(PlantReport, ShowsTheMatchesOfATypicalPair) {
        {std::pair{25.5 * mm_per_px, 10.5 * mm_per_px}, {91.5 + 29.5 * mm_per_px, 11.5 * mm_per_px}})
     EXPECT_GT(at(x, y).r, at(x, y).b + 0.2);
 
-  Folder folder;
+  PlantFolder folder;
   DataSet in;
   in.set("traits", traits());
   in.set("matches", matches());
@@ -203,7 +203,7 @@ TEST(PlantReport, ShowsTheMatchesOfATypicalPair) {
 }
 
 TEST(PlantReport, NothingIsNoReport) {
-  Folder folder;
+  PlantFolder folder;
   EXPECT_THROW(write_plant_report({}, {}, folder.run), Error);
 }
 

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "base/verdict.h"
 #include "real_data.h"
 #include "synthetic/board_print.h"
 #include "synthetic/view_scene.h"
@@ -78,10 +79,6 @@ std::string refusal(F&& f) {
   return "no error";
 }
 
-bool finds(const Report& report, const std::string& code) {
-  return std::ranges::any_of(report.findings, [&](const auto& f) { return f.code == code; });
-}
-
 TEST(Calibrate, IntervalsHoldTheTruthAsOftenAsTheySay) {
   constexpr int runs = 24;
   const auto truth = parameters_of(true_camera());
@@ -127,7 +124,7 @@ TEST(Calibrate, ViewsThatDoNotFitAreLeftOutAndNamed) {
   const auto fit = fitted(shots, {}, report);
   EXPECT_EQ(shots[5].left_out, "does not fit");
   EXPECT_EQ(shots[9].left_out, "does not fit");
-  EXPECT_TRUE(finds(report, "views_do_not_fit"));
+  EXPECT_TRUE(has_finding(report, "views_do_not_fit"));
   EXPECT_NEAR(fit.camera.fx, true_camera().fx, 4);
   EXPECT_TRUE(shots[2].left_out.empty());
 }
@@ -149,7 +146,7 @@ TEST(Calibrate, FewViewsInOneCornerOfTheImageAreTold) {
   auto shots = synthetic_shots(true_camera(), 7, 0.1, 2);
   Report report;
   fitted(shots, {.distortion = DistortionTerms::none, .bad_view = 100}, report);
-  EXPECT_TRUE(finds(report, "few_views"));
+  EXPECT_TRUE(has_finding(report, "few_views"));
 }
 
 TEST(Calibrate, ATableOfCornersNeedsTheSizeOfTheImages) {
@@ -215,21 +212,12 @@ TEST(Calibrate, RealCornersOfPhenomenal) {
 
 // --- Rendered boards
 
-BoardFacts small_board() {
-  BoardFacts facts;
-  facts.columns = 9;
-  facts.rows = 7;
-  facts.square = 0.03;
-  facts.marker = 0.022;
-  return facts;
-}
-
 synthetic::ViewScene board_scene(bool markers = true) {
   synthetic::ViewScene scene;
   const Eigen::Vector2d corner(-0.135, -0.105);
-  scene.print = synthetic::board_print(small_board(), corner);
+  scene.print = synthetic::board_print(synthetic::small_board(), corner);
   if (!markers)
-    scene.print = [corner, facts = small_board()](double x, double y) {
+    scene.print = [corner, facts = synthetic::small_board()](double x, double y) {
       const int column = static_cast<int>(std::floor((x - corner.x()) / facts.square));
       const int row = static_cast<int>(std::floor((y - corner.y()) / facts.square));
       const bool inside = column >= 0 && row >= 0 && column < facts.columns && row < facts.rows;
@@ -294,7 +282,7 @@ RgbdCamera guess_of(const RgbdCamera& truth) {
 TEST(Calibrate, MarkersOfABoardGiveTheCamera) {
   const auto truth = noisy_camera();
   synthetic::SceneViews views(board_scene(), truth, board_poses(14));
-  views.board_facts = small_board();
+  views.board_facts = synthetic::small_board();
   const WithCamera unknown(views, guess_of(truth.camera));
   CalibrationInput input;
   input.views = &unknown;
@@ -331,7 +319,7 @@ TEST(Calibrate, ABiasOfTheDepthIsFound) {
   auto truth = noisy_camera();
   truth.depth_factor = 1.02;
   synthetic::SceneViews views(board_scene(), truth, board_poses(14));
-  views.board_facts = small_board();
+  views.board_facts = synthetic::small_board();
   CalibrationInput input;
   input.views = &views;
   const auto found = calibrate(input, {}, bole::Run{});
@@ -358,7 +346,7 @@ TEST(Calibrate, ThePlanesOfTheBoardGiveThePlaceOfTheDepthCamera) {
   auto truth = noisy_camera();
   truth.camera = two_cameras(truth);
   synthetic::SceneViews views(board_scene(), truth, board_poses(26));
-  views.board_facts = small_board();
+  views.board_facts = synthetic::small_board();
   RgbdCamera given = truth.camera;
   given.T_color_depth = Pose::Identity();
   const WithCamera wrong(views, given);
@@ -384,14 +372,14 @@ TEST(Calibrate, PicturesOfTheDepthCameraGiveItsIntrinsicsAndPlace) {
   truth.with_depth = false;
   const auto poses = board_poses(14);
   synthetic::SceneViews views(board_scene(), truth, poses);
-  views.board_facts = small_board();
+  views.board_facts = synthetic::small_board();
   auto infrared_camera = truth;
   infrared_camera.camera = {};
   infrared_camera.camera.color = *truth.camera.depth;
   std::vector<Pose> infrared_poses;
   for (const auto& T : poses) infrared_poses.push_back(T * truth.camera.T_color_depth);
   synthetic::SceneViews infrared(board_scene(), infrared_camera, infrared_poses);
-  infrared.board_facts = small_board();
+  infrared.board_facts = synthetic::small_board();
   CalibrationInput input;
   input.views = &views;
   input.infrared = &infrared;

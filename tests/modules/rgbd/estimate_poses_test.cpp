@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/verdict.h"
 #include "synthetic/board_print.h"
 #include "synthetic/trajectory_error.h"
 #include "synthetic/view_scene.h"
@@ -14,21 +15,12 @@ namespace {
 using synthetic::SceneViews;
 using ::testing::HasSubstr;
 
-BoardFacts small_board() {
-  BoardFacts facts;
-  facts.columns = 9;
-  facts.rows = 7;
-  facts.square = 0.03;
-  facts.marker = 0.022;
-  return facts;
-}
-
 // The lower left corner of the print is moved off the origin of the scene, so that axes cannot agree by chance.
 const Eigen::Vector2d board_corner(-0.13, -0.11);
 
 synthetic::ViewScene scene_with_board(bool from_upper_row = true, bool black = true) {
   auto scene = synthetic::box_scene();
-  auto facts = small_board();
+  auto facts = synthetic::small_board();
   facts.first_square_black = black;
   scene.print = synthetic::board_print(facts, board_corner, from_upper_row);
   return scene;
@@ -46,7 +38,7 @@ std::vector<Pose> in_board_axes(const std::vector<Pose>& truth) {
   return out;
 }
 
-synthetic::SceneCamera noisy_camera() {
+synthetic::SceneCamera camera_with_noise() {
   auto camera = synthetic::plain_camera();
   camera.depth_noise = 0.004;
   camera.image_noise = 2;
@@ -64,13 +56,9 @@ EstimatedPoses estimate(const ViewSource& views, const PoseOptions& options = qu
   return estimate_poses(views, nullptr, options, bole::Run{});
 }
 
-bool finds(const Report& report, const std::string& code) {
-  return std::ranges::any_of(report.findings, [&](const auto& f) { return f.code == code; });
-}
-
 TEST(EstimatePoses, BoardGivesAxesAndScale) {
-  SceneViews views(scene_with_board(), noisy_camera(), synthetic::orbit(12, 0.42, 0.3, 0.04));
-  views.board_facts = small_board();
+  SceneViews views(scene_with_board(), camera_with_noise(), synthetic::orbit(12, 0.42, 0.3, 0.04));
+  views.board_facts = synthetic::small_board();
   const auto found = estimate(views);
   const auto pairs = synthetic::pose_pairs(found.poses, in_board_axes(views.truth()), views);
   ASSERT_EQ(pairs.found.size(), 12U);
@@ -89,7 +77,7 @@ TEST(EstimatePoses, BoardGivesAxesAndScale) {
 }
 
 TEST(EstimatePoses, DepthGivesTheScaleWithoutABoard) {
-  SceneViews views(synthetic::box_scene(), noisy_camera(), synthetic::orbit(12, 0.42, 0.3, 0.04));
+  SceneViews views(synthetic::box_scene(), camera_with_noise(), synthetic::orbit(12, 0.42, 0.3, 0.04));
   const auto found = estimate(views);
   const auto pairs = synthetic::pose_pairs(found.poses, views.truth(), views);
   ASSERT_EQ(pairs.found.size(), 12U);
@@ -103,22 +91,22 @@ TEST(EstimatePoses, DepthGivesTheScaleWithoutABoard) {
 }
 
 TEST(EstimatePoses, WrongDepthScaleIsNamedAndTheBoardDecides) {
-  auto camera = noisy_camera();
+  auto camera = camera_with_noise();
   camera.depth_factor = 1.05;
   SceneViews views(scene_with_board(), camera, synthetic::orbit(10, 0.42, 0.3, 0.04, 1.5));
-  views.board_facts = small_board();
+  views.board_facts = synthetic::small_board();
   const auto found = estimate(views);
-  EXPECT_TRUE(finds(found.report, "depth_scale"));
+  EXPECT_TRUE(has_finding(found.report, "depth_scale"));
   EXPECT_NEAR(found.report.metrics.at("depth_scale").value, 1.05, 0.01);
   const auto pairs = synthetic::pose_pairs(found.poses, in_board_axes(views.truth()), views);
   EXPECT_LT(synthetic::place_rms(pairs.found, pairs.truth), 0.5e-3);
 }
 
 TEST(EstimatePoses, DepthInAnotherUnitThanTheBoardIsRefused) {
-  auto camera = noisy_camera();
+  auto camera = camera_with_noise();
   camera.depth_factor = 1000;
   SceneViews views(scene_with_board(), camera, synthetic::orbit(6, 0.42, 0.3, 0.04, 1));
-  views.board_facts = small_board();
+  views.board_facts = synthetic::small_board();
   EXPECT_THROW(
       {
         try {
@@ -132,10 +120,10 @@ TEST(EstimatePoses, DepthInAnotherUnitThanTheBoardIsRefused) {
 }
 
 TEST(EstimatePoses, BoardAloneIsEnough) {
-  auto camera = noisy_camera();
+  auto camera = camera_with_noise();
   camera.with_depth = false;
   SceneViews views(scene_with_board(), camera, synthetic::orbit(8, 0.42, 0.4, 0.02, 0.6));
-  views.board_facts = small_board();
+  views.board_facts = synthetic::small_board();
   const auto found = estimate(views);
   const auto pairs = synthetic::pose_pairs(found.poses, in_board_axes(views.truth()), views);
   ASSERT_EQ(pairs.found.size(), 8U);
@@ -143,10 +131,10 @@ TEST(EstimatePoses, BoardAloneIsEnough) {
 }
 
 TEST(EstimatePoses, LostViewsAreNamedAndTheRestIsKept) {
-  SceneViews views(synthetic::box_scene(), noisy_camera(), synthetic::orbit(8, 0.42, 0.3, 0.04, 1));
+  SceneViews views(synthetic::box_scene(), camera_with_noise(), synthetic::orbit(8, 0.42, 0.3, 0.04, 1));
   views.black = {3, 7};
   const auto found = estimate(views);
-  ASSERT_TRUE(finds(found.report, "tracking_lost"));
+  ASSERT_TRUE(has_finding(found.report, "tracking_lost"));
   EXPECT_THAT(found.report.findings.back().text, HasSubstr("3 (000003), 7 (000007)"));
   EXPECT_EQ(found.poses.poses.size(), 6U);
   EXPECT_EQ(found.tracking.texts("state")[3], "lost");
@@ -155,7 +143,7 @@ TEST(EstimatePoses, LostViewsAreNamedAndTheRestIsKept) {
 }
 
 TEST(EstimatePoses, ViewsWithoutDepthAreTrackedByTheOthers) {
-  SceneViews views(synthetic::box_scene(), noisy_camera(), synthetic::orbit(8, 0.42, 0.3, 0.04, 1));
+  SceneViews views(synthetic::box_scene(), camera_with_noise(), synthetic::orbit(8, 0.42, 0.3, 0.04, 1));
   views.no_depth = {2, 5};
   const auto found = estimate(views);
   EXPECT_EQ(found.poses.poses.size(), 8U);
@@ -163,22 +151,22 @@ TEST(EstimatePoses, ViewsWithoutDepthAreTrackedByTheOthers) {
 }
 
 TEST(EstimatePoses, GivenPosesOfAnotherScaleThanTheBoardAreTold) {
-  auto camera = noisy_camera();
+  auto camera = camera_with_noise();
   camera.with_depth = false;
   SceneViews views(scene_with_board(), camera, synthetic::orbit(5, 0.42, 0.4, 0.02, 0.8));
-  views.board_facts = small_board();
+  views.board_facts = synthetic::small_board();
   auto large = views.truth();
   for (auto& T : large) T.translation() *= 1.1;
   for (std::size_t i = 0; i < large.size(); ++i) views.given.poses.push_back({views.time_s(i), large[i]});
   auto options = quick();
   options.source = PoseSource::given;
   const auto found = estimate(views, options);
-  ASSERT_TRUE(finds(found.report, "given_scale"));
+  ASSERT_TRUE(has_finding(found.report, "given_scale"));
   EXPECT_NEAR(found.report.metrics.at("given_to_board").value, 1.1, 0.01);
 }
 
 TEST(EstimatePoses, LensAndDepthCameraOfTheirOwn) {
-  auto camera = noisy_camera();
+  auto camera = camera_with_noise();
   camera.camera.color.distortion = {0.12, -0.25, 0.001, -0.002, 0.08};
   camera.camera.depth = synthetic::plain_camera(424, 320, 330).camera.color;
   camera.camera.T_color_depth.translation() = Eigen::Vector3d(-0.03, 0.002, 0.004);
@@ -194,14 +182,14 @@ TEST(EstimatePoses, LensAndDepthCameraOfTheirOwn) {
 }
 
 TEST(EstimatePoses, RaysAloneGiveTheShapeOfTheWay) {
-  auto camera = noisy_camera();
+  auto camera = camera_with_noise();
   camera.with_depth = false;
   SceneViews views(synthetic::box_scene(), camera, synthetic::orbit(10, 0.42, 0.3, 0.04, 1.2));
   auto options = quick();
   options.allow_unscaled = true;
   const auto found = estimate(views, options);
   EXPECT_EQ(found.report.facts.at("scale_source"), "none");
-  EXPECT_TRUE(finds(found.report, "no_scale"));
+  EXPECT_TRUE(has_finding(found.report, "no_scale"));
   auto pairs = synthetic::pose_pairs(found.poses, views.truth(), views);
   ASSERT_EQ(pairs.found.size(), 10U);
   double scale = 0;
@@ -214,7 +202,7 @@ TEST(EstimatePoses, StillBackgroundOfATurntableIsLeftOut) {
   auto scene = synthetic::box_scene();
   scene.floor_half = 0.12;
   scene.wall = 0.85;
-  SceneViews views(scene, noisy_camera(), synthetic::orbit(8, 0.42, 0.3, 0.04, 0.8));
+  SceneViews views(scene, camera_with_noise(), synthetic::orbit(8, 0.42, 0.3, 0.04, 0.8));
   const auto found = estimate(views);
   EXPECT_EQ(found.report.facts.at("turntable"), "yes");
   const auto pairs = synthetic::pose_pairs(found.poses, views.truth(), views);
@@ -223,7 +211,7 @@ TEST(EstimatePoses, StillBackgroundOfATurntableIsLeftOut) {
 }
 
 TEST(EstimatePoses, TablesTellEveryView) {
-  SceneViews views(synthetic::box_scene(), noisy_camera(), synthetic::orbit(4, 0.42, 0.3, 0.04, 0.3));
+  SceneViews views(synthetic::box_scene(), camera_with_noise(), synthetic::orbit(4, 0.42, 0.3, 0.04, 0.3));
   const auto found = estimate(views);
   EXPECT_EQ(found.tracking.rows(), 4U);
   EXPECT_EQ(found.tracking.texts("name")[1], "000001");
@@ -241,7 +229,7 @@ TEST(EstimatePoses, TablesTellEveryView) {
 }
 
 TEST(EstimatePoses, StopsWhenItIsCancelled) {
-  SceneViews views(synthetic::box_scene(), noisy_camera(), synthetic::orbit(4, 0.42, 0.3, 0.04, 0.3));
+  SceneViews views(synthetic::box_scene(), camera_with_noise(), synthetic::orbit(4, 0.42, 0.3, 0.04, 0.3));
   std::stop_source stop;
   bole::Run run;
   run.cancel = stop.get_token();
@@ -268,15 +256,15 @@ std::string error_of(const ViewSource& views, const PoseOptions& options = quick
 
 TEST(EstimatePoses, UnusableViewsAreRefusedWithAReason) {
   const auto poses = synthetic::orbit(3, 0.42, 0.3, 0.04, 0.2);
-  EXPECT_THAT(error_of(SceneViews(synthetic::box_scene(), noisy_camera(), {})), HasSubstr("no views"));
-  EXPECT_THAT(error_of(SceneViews(synthetic::box_scene(), noisy_camera(), {poses[0]})), HasSubstr("one view"));
-  SceneViews black(synthetic::box_scene(), noisy_camera(), poses);
+  EXPECT_THAT(error_of(SceneViews(synthetic::box_scene(), camera_with_noise(), {})), HasSubstr("no views"));
+  EXPECT_THAT(error_of(SceneViews(synthetic::box_scene(), camera_with_noise(), {poses[0]})), HasSubstr("one view"));
+  SceneViews black(synthetic::box_scene(), camera_with_noise(), poses);
   black.black = {0, 1, 2};
   EXPECT_THAT(error_of(black), HasSubstr("no view has any feature"));
-  auto camera = noisy_camera();
+  auto camera = camera_with_noise();
   camera.with_depth = false;
   EXPECT_THAT(error_of(SceneViews(synthetic::box_scene(), camera, poses)), HasSubstr("no depth and no board"));
-  SceneViews empty_depth(synthetic::box_scene(), noisy_camera(), poses);
+  SceneViews empty_depth(synthetic::box_scene(), camera_with_noise(), poses);
   empty_depth.no_depth = {0, 1, 2};
   EXPECT_THAT(error_of(empty_depth), HasSubstr("no feature of any view has depth"));
   auto apart = synthetic::box_scene();
@@ -284,7 +272,7 @@ TEST(EstimatePoses, UnusableViewsAreRefusedWithAReason) {
   const std::vector<Pose> elsewhere{synthetic::look_at({0.3, 0, 0.3}, {0, 0, 0}),
                                     synthetic::look_at({2.3, 1, 0.3}, {2, 1, 0}),
                                     synthetic::look_at({-2, 2, 0.3}, {-2, 1.7, 0})};
-  EXPECT_THAT(error_of(SceneViews(apart, noisy_camera(), elsewhere)), HasSubstr("no two of the views"));
+  EXPECT_THAT(error_of(SceneViews(apart, camera_with_noise(), elsewhere)), HasSubstr("no two of the views"));
 }
 
 Trajectory as_trajectory(const std::vector<Pose>& poses, const ViewSource& views) {
@@ -294,7 +282,7 @@ Trajectory as_trajectory(const std::vector<Pose>& poses, const ViewSource& views
 }
 
 TEST(EstimatePoses, GivenPosesAreHandedOnAndChecked) {
-  SceneViews views(synthetic::box_scene(), noisy_camera(), synthetic::orbit(6, 0.42, 0.3, 0.04, 0.6));
+  SceneViews views(synthetic::box_scene(), camera_with_noise(), synthetic::orbit(6, 0.42, 0.3, 0.04, 0.6));
   PoseOptions options = quick();
   options.source = PoseSource::given;
   EXPECT_THAT(error_of(views, options), HasSubstr("came without poses"));
@@ -311,7 +299,7 @@ TEST(EstimatePoses, GivenPosesAreHandedOnAndChecked) {
   for (auto& T : inverse) T = T.inverse();
   views.given = as_trajectory(inverse, views);
   const auto wrong = estimate(views, options);
-  ASSERT_TRUE(finds(wrong.report, "given_poses_disagree"));
+  ASSERT_TRUE(has_finding(wrong.report, "given_poses_disagree"));
   EXPECT_THAT(wrong.report.findings.back().text, HasSubstr("world to camera"));
 
   auto large = views.truth();

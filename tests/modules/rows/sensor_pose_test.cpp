@@ -8,6 +8,7 @@
 
 #include "base/angles.h"
 #include "base/transform.h"
+#include "checks.h"
 #include "rows/core/frame/frame_plants.h"
 #include "rows/core/rows/find_rows.h"
 
@@ -15,8 +16,9 @@ namespace bole::rows {
 namespace {
 
 using ::testing::HasSubstr;
+using testing_checks::refusal_of;
 
-const Eigen::Vector3d sensor(512'345.6, 2'560'120.3, 30.2);
+const Eigen::Vector3d robot(512'345.6, 2'560'120.3, 30.2);
 const double yaw_deg = -35;
 const std::vector<Eigen::Vector3d> places{{-3.2, 7.5, 0.9}, {2.8, 6.0, 1.3}, {0.4, 4.0, 0.4}};
 const std::vector<Eigen::Vector3d> around{{5, 3, 1.3}, {-4, 6, -0.3}, {6, -5, 0.5}, {-3, -4, 2.4}};
@@ -25,7 +27,7 @@ Table marks_table(const std::vector<Eigen::Vector3d>& seen) {
   std::vector<std::string> name;
   std::vector<double> x, y, z, sx, sy, sz;
   for (const auto& s : seen) {
-    const Eigen::Vector3d p = sensor + rotation_from_rpy(0, 0, radians(yaw_deg)) * s;
+    const Eigen::Vector3d p = robot + rotation_from_rpy(0, 0, radians(yaw_deg)) * s;
     name.emplace_back(1, static_cast<char>('E' + name.size()));
     x.push_back(p.x());
     y.push_back(p.y());
@@ -53,24 +55,14 @@ void add_to(Table& t, const char* column, std::size_t row, double by) {
 
 double value(const Table& t, const char* column) { return t.numbers(column)[0]; }
 
-std::string error_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& e) {
-    EXPECT_EQ(e.kind(), ErrorKind::bad_input);
-    return e.what();
-  }
-  return "no error";
-}
-
 TEST(SensorPose, IsFoundFromVectorsAndFromRanges) {
   for (const auto method : {ResectMethod::vectors, ResectMethod::ranges}) {
     ResectOptions o;
     o.method = method;
     const auto found = sensor_pose(marks_table(around), o);
-    EXPECT_NEAR(value(found.pose, "x_m"), sensor.x(), 1e-6);
-    EXPECT_NEAR(value(found.pose, "y_m"), sensor.y(), 1e-6);
-    EXPECT_NEAR(value(found.pose, "z_m"), sensor.z(), 1e-6);
+    EXPECT_NEAR(value(found.pose, "x_m"), robot.x(), 1e-6);
+    EXPECT_NEAR(value(found.pose, "y_m"), robot.y(), 1e-6);
+    EXPECT_NEAR(value(found.pose, "z_m"), robot.z(), 1e-6);
     EXPECT_NEAR(value(found.pose, "yaw_deg"), yaw_deg, 1e-6);
     EXPECT_NEAR(value(found.pose, "bearing_deg"), 35, 1e-6);  // the y axis turned clockwise from north
     EXPECT_NEAR(value(found.pose, "cov_x_x_m2"), std::pow(value(found.pose, "x_se_m"), 2), 1e-12);
@@ -88,7 +80,7 @@ TEST(SensorPose, MarksAheadAloneCarryNoHeightByRanges) {
   EXPECT_LT(value(sensor_pose(marks_table(level), o).pose, "x_se_m"), 0.03);
   o.method = ResectMethod::ranges;
   EXPECT_GT(value(sensor_pose(marks_table(places), o).pose, "z_se_m"), 5 * height_se);
-  EXPECT_THAT(error_of([&] { sensor_pose(marks_table(level), o); }), HasSubstr("method=vectors"));
+  EXPECT_THAT(refusal_of([&] { sensor_pose(marks_table(level), o); }), HasSubstr("method=vectors"));
 }
 
 TEST(SensorPose, TurnsTheFrameLevelFirst) {
@@ -114,7 +106,7 @@ TEST(SensorPose, TurnsTheFrameLevelFirst) {
 TEST(SensorPose, ToldWhichMarkIsWrong) {
   auto t = marks_table(around);
   add_to(t, "x_m", 2, 0.5);
-  const auto error = error_of([&] { sensor_pose(t, {}); });
+  const auto error = refusal_of([&] { sensor_pose(t, {}); });
   EXPECT_THAT(error, HasSubstr("apart as seen"));
   EXPECT_THAT(error, HasSubstr("without mark G the others agree"));
   t = marks_table(around);
@@ -131,21 +123,21 @@ TEST(SensorPose, RefusesWithTheReason) {
   const auto x = t.numbers("x_m"), y = t.numbers("y_m");
   t.set("x_m", y);
   t.set("y_m", x);
-  EXPECT_THAT(error_of([&] { sensor_pose(t, {}); }), HasSubstr("swapped"));
+  EXPECT_THAT(refusal_of([&] { sensor_pose(t, {}); }), HasSubstr("swapped"));
   t = marks_table(around);
   t.remove("seen_x_m");
-  EXPECT_THAT(error_of([&] { sensor_pose(t, {}); }), HasSubstr("seen_x_m"));
+  EXPECT_THAT(refusal_of([&] { sensor_pose(t, {}); }), HasSubstr("seen_x_m"));
   t = marks_table({around[0]});
-  EXPECT_THAT(error_of([&] { sensor_pose(t, {}); }), HasSubstr("1 marks"));
+  EXPECT_THAT(refusal_of([&] { sensor_pose(t, {}); }), HasSubstr("1 marks"));
   t = marks_table(around);
   t.set("range_m", std::vector<double>{5, 7, 8, 5});
-  EXPECT_THAT(error_of([&] { sensor_pose(t, {}); }), HasSubstr("mark E has the range"));
+  EXPECT_THAT(refusal_of([&] { sensor_pose(t, {}); }), HasSubstr("mark E has the range"));
   t = marks_table({{0, 5, 0}, {0.05, 5.02, 1}});
-  EXPECT_THAT(error_of([&] { sensor_pose(t, {}); }), HasSubstr("standard error"));
+  EXPECT_THAT(refusal_of([&] { sensor_pose(t, {}); }), HasSubstr("standard error"));
   t = marks_table(around);
   t.remove("x_m");
   t.set("latitude_deg", y);
-  EXPECT_THAT(error_of([&] { sensor_pose(t, {}); }), HasSubstr("geo.project"));
+  EXPECT_THAT(refusal_of([&] { sensor_pose(t, {}); }), HasSubstr("geo.project"));
 }
 
 TEST(SensorPose, PlacesStemsAndWidensTheirDirections) {
@@ -156,7 +148,7 @@ TEST(SensorPose, PlacesStemsAndWidensTheirDirections) {
   stems.set("x_m", std::vector<double>{-1, -1, -1, -1, 1, 1, 1, 1});
   stems.set("y_m", std::vector<double>{4, 5, 6, 7, 4, 5, 6, 7});
   const auto placed = place_stems(stems, {}, &found.pose);
-  const Eigen::Vector3d expected = sensor + rotation_from_rpy(0, 0, radians(yaw_deg)) * Eigen::Vector3d(-1, 4, 0);
+  const Eigen::Vector3d expected = robot + rotation_from_rpy(0, 0, radians(yaw_deg)) * Eigen::Vector3d(-1, 4, 0);
   EXPECT_NEAR(placed.numbers("x_m")[0], expected.x(), 1e-6);
   EXPECT_NEAR(placed.numbers("y_m")[0], expected.y(), 1e-6);
   EXPECT_EQ(placed.facts.at("axes"), "global");
@@ -171,7 +163,7 @@ TEST(SensorPose, PlacesStemsAndWidensTheirDirections) {
   EXPECT_NEAR(half, 1.96 * value(found.pose, "yaw_se_deg"), 1e-4);
   PlaceOptions by_hand;
   by_hand.x = 3;
-  EXPECT_THAT(error_of([&] { place_stems(stems, by_hand, &found.pose); }), HasSubstr("given twice"));
+  EXPECT_THAT(refusal_of([&] { place_stems(stems, by_hand, &found.pose); }), HasSubstr("given twice"));
 }
 
 }  // namespace

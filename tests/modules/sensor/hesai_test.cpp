@@ -11,17 +11,17 @@ namespace bole::sensor {
 namespace {
 
 using testing::HasSubstr;
-namespace maker = testing_hesai;
+namespace hesai_maker = testing_hesai;
 
 constexpr double deg = std::numbers::pi / 180;
 
-std::span<const std::uint8_t> bytes(const std::string& text) {
+std::span<const std::uint8_t> packet_bytes(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
 
 // Blocks 0.18 (XT-32) or 0.2 degrees apart, 10 turns per second; every unit its own range.
-std::vector<maker::Block> blocks(int count, int lasers, double step_deg, bool dual) {
-  std::vector<maker::Block> out(static_cast<std::size_t>(count));
+std::vector<hesai_maker::Block> blocks(int count, int lasers, double step_deg, bool dual) {
+  std::vector<hesai_maker::Block> out(static_cast<std::size_t>(count));
   for (int b = 0; b < count; ++b) {
     auto& block = out[static_cast<std::size_t>(b)];
     const int firing = dual ? b / 2 : b;
@@ -34,7 +34,7 @@ std::vector<maker::Block> blocks(int count, int lasers, double step_deg, bool du
 }
 
 std::vector<VelodyneReturn> decode(HesaiPackets& packets, const std::string& packet) {
-  EXPECT_TRUE(packets.take(bytes(packet)));
+  EXPECT_TRUE(packets.take(packet_bytes(packet)));
   std::vector<VelodyneFiring> firings;
   std::vector<VelodyneReturn> returns;
   packets.firings(firings);
@@ -45,8 +45,8 @@ std::vector<VelodyneReturn> decode(HesaiPackets& packets, const std::string& pac
 double azimuth_deg(const VelodyneReturn& r) { return std::atan2(-r.position.y(), r.position.x()) / deg; }
 
 TEST(Hesai, Xt32TimesAnglesAndRangesAreThoseOfTheManual) {
-  const auto packet = maker::xt32_packet(blocks(8, 32, 0.18, false), 0x37, {59, 30, 500'000});
-  const auto* layout = hesai_layout(bytes(packet));
+  const auto packet = hesai_maker::xt32_packet(blocks(8, 32, 0.18, false), 0x37, {59, 30, 500'000});
+  const auto* layout = hesai_layout(packet_bytes(packet));
   ASSERT_NE(layout, nullptr);
   HesaiPackets packets(*layout, load_sensor_model(layout->sensor));
   const auto returns = decode(packets, packet);
@@ -59,15 +59,15 @@ TEST(Hesai, Xt32TimesAnglesAndRangesAreThoseOfTheManual) {
   EXPECT_NEAR(std::asin(returns[9].position.z() / returns[9].range_m), 6 * deg, 1e-6);
   EXPECT_EQ(returns[0].ring, 31);
   EXPECT_EQ(returns[31].ring, 0);
-  // The rotor turns on while the channels fire: 3600 degrees per second. The maker's table of firing times, 6 + 1.512
-  // (n
+  // The rotor turns on while the channels fire: 3600 degrees per second. The hesai_maker's table of firing times, 6
+  // + 1.512 (n
   // - 1) us, counts from the block's azimuth.
   EXPECT_NEAR(azimuth_deg(returns[2 * 32 + 9]), -0.4 + 2 * 0.18 + 3600 * 19.608e-6, 2e-3);
 }
 
 TEST(Hesai, Pandar40pChannelsFireBeforeTheTimeOfTheirBlock) {
-  const auto packet = maker::pandar40p_packet(blocks(10, 40, 0.2, false), 0x38, {0, 0, 100});
-  const auto* layout = hesai_layout(bytes(packet));
+  const auto packet = hesai_maker::pandar40p_packet(blocks(10, 40, 0.2, false), 0x38, {0, 0, 100});
+  const auto* layout = hesai_layout(packet_bytes(packet));
   ASSERT_NE(layout, nullptr);
   ASSERT_STREQ(layout->sensor, "pandar40p");
   HesaiPackets packets(*layout, load_sensor_model(layout->sensor));
@@ -86,8 +86,9 @@ TEST(Hesai, DualReturnsComeStrongestFirstAndDuplicatesOnce) {
   for (const bool xt : {true, false}) {
     const int lasers = xt ? 32 : 40, count = xt ? 8 : 10;
     const auto content = blocks(count, lasers, 0.2, true);
-    const auto packet = xt ? maker::xt32_packet(content, 0x39, {}) : maker::pandar40p_packet(content, 0x39, {});
-    const auto* layout = hesai_layout(bytes(packet));
+    const auto packet =
+        xt ? hesai_maker::xt32_packet(content, 0x39, {}) : hesai_maker::pandar40p_packet(content, 0x39, {});
+    const auto* layout = hesai_layout(packet_bytes(packet));
     ASSERT_NE(layout, nullptr);
     HesaiPackets packets(*layout, load_sensor_model(layout->sensor));
     const auto returns = decode(packets, packet);
@@ -127,17 +128,18 @@ TEST(Hesai, TheCorrectionFileOfAUnitWins) {
 }
 
 TEST(Hesai, OtherPayloadsAreRefused) {
-  auto packet = maker::xt32_packet(blocks(8, 32, 0.18, false), 0x37, {});
-  HesaiPackets packets(*hesai_layout(bytes(packet)), load_sensor_model("pandar_xt32"));
-  EXPECT_EQ(hesai_layout(bytes(packet.substr(0, 1000))), nullptr);
+  auto packet = hesai_maker::xt32_packet(blocks(8, 32, 0.18, false), 0x37, {});
+  HesaiPackets packets(*hesai_layout(packet_bytes(packet)), load_sensor_model("pandar_xt32"));
+  EXPECT_EQ(hesai_layout(packet_bytes(packet.substr(0, 1000))), nullptr);
   EXPECT_EQ(hesai_layout({}), nullptr);
-  EXPECT_NE(hesai_layout(bytes(packet.substr(0, 1076))), nullptr);  // without the sequence number
-  EXPECT_FALSE(packets.take(bytes(maker::pandar40p_packet(blocks(10, 40, 0.2, false), 0x37, {}))));
+  EXPECT_NE(hesai_layout(packet_bytes(packet.substr(0, 1076))), nullptr);  // without the sequence number
+  EXPECT_FALSE(packets.take(packet_bytes(hesai_maker::pandar40p_packet(blocks(10, 40, 0.2, false), 0x37, {}))));
   packet[2] = 1;
-  EXPECT_FALSE(packets.take(bytes(packet)));
-  EXPECT_THROW(HesaiPackets(*hesai_layout(bytes(maker::pandar40p_packet(blocks(10, 40, 0.2, false), 0x37, {}))),
-                            load_sensor_model("pandar_xt32")),
-               Error);
+  EXPECT_FALSE(packets.take(packet_bytes(packet)));
+  EXPECT_THROW(
+      HesaiPackets(*hesai_layout(packet_bytes(hesai_maker::pandar40p_packet(blocks(10, 40, 0.2, false), 0x37, {}))),
+                   load_sensor_model("pandar_xt32")),
+      Error);
 }
 
 }  // namespace

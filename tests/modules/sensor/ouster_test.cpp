@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "checks.h"
 #include "ouster_packets.h"
 #include "sensor/core/ouster_decoder.h"
 
@@ -10,6 +11,7 @@ namespace bole::sensor {
 namespace {
 
 using testing::HasSubstr;
+using testing_checks::error_of;
 namespace maker = testing_ouster;
 
 maker::Sensor small_sensor(const std::string& profile) {
@@ -33,16 +35,6 @@ maker::Column column(int id, std::uint32_t first_mm, std::uint32_t second_mm) {
   c.first.assign(32, {first_mm, 40});
   c.second.assign(32, {second_mm, 50});
   return c;
-}
-
-template <class F>
-std::string error_of(F&& f) {
-  try {
-    f();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "no error";
 }
 
 std::string packet_of(const maker::Sensor& sensor, int first_column = 0) {

@@ -8,21 +8,13 @@
 #include <set>
 
 #include "base/error.h"
+#include "checks.h"
 
 namespace bole::sensor {
 namespace {
 
 using testing::HasSubstr;
-
-template <class F>
-std::string error_of(F&& f) {
-  try {
-    f();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "no error";
-}
+using testing_checks::error_of;
 
 nlohmann::json small_model() {
   return nlohmann::json::parse(

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "base/error.h"
-#include "sensor/core/spinning_beams.h"
 #include "modules/sensor/velodyne_calibration.h"
+#include "sensor/core/spinning_beams.h"
 
 namespace bole::sensor {
 namespace {
@@ -20,7 +20,7 @@ using testing_velodyne::UnitLaser;
 
 constexpr double degree = std::numbers::pi / 180;
 
-std::string error_of(const std::string& xml) {
+std::string error_of_xml(const std::string& xml) {
   try {
     velodyne_model_from_xml(xml);
   } catch (const Error& e) {
@@ -103,19 +103,19 @@ TEST(VelodyneCalibration, AUnitWithoutOffsetsIsTheNominalSensor) {
 TEST(VelodyneCalibration, WhatCannotBeIsRefusedInWords) {
   const std::vector<UnitLaser> lasers(64);
   const auto whole = calibration_xml(lasers);
-  EXPECT_THAT(error_of(""), HasSubstr("XML"));
-  EXPECT_THAT(error_of("<a/>"), HasSubstr("<DB>"));
-  EXPECT_THAT(error_of(whole.substr(0, whole.size() / 2)), HasSubstr("XML"));
-  EXPECT_THAT(error_of(calibration_xml(std::vector<UnitLaser>(5))), HasSubstr("enables 5 lasers"));
+  EXPECT_THAT(error_of_xml(""), HasSubstr("XML"));
+  EXPECT_THAT(error_of_xml("<a/>"), HasSubstr("<DB>"));
+  EXPECT_THAT(error_of_xml(whole.substr(0, whole.size() / 2)), HasSubstr("XML"));
+  EXPECT_THAT(error_of_xml(calibration_xml(std::vector<UnitLaser>(5))), HasSubstr("enables 5 lasers"));
   auto missing = lasers;
   missing[7].id = 70;
-  EXPECT_THAT(error_of(calibration_xml(missing)), HasSubstr("laser 7 is absent"));
+  EXPECT_THAT(error_of_xml(calibration_xml(missing)), HasSubstr("laser 7 is absent"));
   auto twice = lasers;
   twice[7].id = 6;
-  EXPECT_THAT(error_of(calibration_xml(twice)), HasSubstr("laser 6 is there twice"));
+  EXPECT_THAT(error_of_xml(calibration_xml(twice)), HasSubstr("laser 6 is there twice"));
   auto steep = lasers;
   steep[1].vertical_deg = 1e9;
-  EXPECT_THAT(error_of(calibration_xml(steep)), HasSubstr("vertCorrection_"));
+  EXPECT_THAT(error_of_xml(calibration_xml(steep)), HasSubstr("vertCorrection_"));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // Recorded fixes through lever arm and filter, and what is told of bad ones.
 #include "steering/core/navigate_track.h"
+#include "base/verdict.h"
+#include "checks.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,20 +20,7 @@ namespace bole::steering {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::string error_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& e) {
-    EXPECT_EQ(e.kind(), ErrorKind::bad_input);
-    return e.what();
-  }
-  return "no error";
-}
-
-bool has_finding(const Report& report, const std::string& code) {
-  return std::ranges::any_of(report.findings, [&](const Finding& f) { return f.code == code; });
-}
+using testing_checks::refusal_of;
 
 struct Recording {
   Table track, attitude;
@@ -151,7 +140,7 @@ TEST(NavigateTrack, TakesTheHeadingFromCourseAndMotionWhereNothingElseGivesIt) {
   auto still = course;
   still.set("x_m", std::vector<double>(600, 1.0));
   still.set("y_m", std::vector<double>(600, 2.0));
-  EXPECT_THAT(error_of([&] { navigate_track(still, nullptr, o, {}); }), HasSubstr("needs a heading"));
+  EXPECT_THAT(refusal_of([&] { navigate_track(still, nullptr, o, {}); }), HasSubstr("needs a heading"));
 }
 
 TEST(NavigateTrack, TellsPoorFixesGapsJumpsAndTimesThatRunBack) {
@@ -206,20 +195,20 @@ TEST(NavigateTrack, ForgetsAVelocityThatWasWrong) {
 TEST(NavigateTrack, RefusesWhatIsNoTrack) {
   auto r = recording(0);
   r.track.set("quality", std::vector<std::int64_t>(600, 6));
-  EXPECT_THAT(error_of([&] { navigate_track(r.track, nullptr, {}, {}); }), HasSubstr("6: 600"));
+  EXPECT_THAT(refusal_of([&] { navigate_track(r.track, nullptr, {}, {}); }), HasSubstr("6: 600"));
   NavigateOptions o;
   o.accept = "RTK";
-  EXPECT_THAT(error_of([&] { navigate_track(r.track, nullptr, o, {}); }), HasSubstr("accept"));
+  EXPECT_THAT(refusal_of([&] { navigate_track(r.track, nullptr, o, {}); }), HasSubstr("accept"));
   Table geodetic;
   geodetic.set("time_s", std::vector<double>{0, 1});
   geodetic.set("latitude_deg", std::vector<double>{50, 50});
   geodetic.set("longitude_deg", std::vector<double>{8, 8});
-  EXPECT_THAT(error_of([&] { navigate_track(geodetic, nullptr, {}, {}); }), HasSubstr("geo.project"));
+  EXPECT_THAT(refusal_of([&] { navigate_track(geodetic, nullptr, {}, {}); }), HasSubstr("geo.project"));
   auto bad = recording(0);
   auto time = bad.attitude.numbers("time_s");
   time[5] = time[4];
   bad.attitude.set("time_s", time);
-  EXPECT_THAT(error_of([&] { navigate_track(bad.track, &bad.attitude, {}, {}); }), HasSubstr("does not rise"));
+  EXPECT_THAT(refusal_of([&] { navigate_track(bad.track, &bad.attitude, {}, {}); }), HasSubstr("does not rise"));
 }
 
 // Qualities are not in order: 0 means nothing only where a log gives no quality at all.
@@ -253,7 +242,7 @@ TEST(TrackingErrors, AJumpIsNoPass) {
   ErrorOptions o;
   o.run_in = 0;
   o.run_out = 0;
-  EXPECT_THAT(error_of([&] { tracking_errors(log, nullptr, nullptr, o, {}); }), HasSubstr("no straight stretch"));
+  EXPECT_THAT(refusal_of([&] { tracking_errors(log, nullptr, nullptr, o, {}); }), HasSubstr("no straight stretch"));
 }
 
 // What was driven in a gap is unknown: two passes the same way on different lines do not become one.

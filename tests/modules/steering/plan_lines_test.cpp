@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "checks.h"
 #include "steering/core/field_test.h"
 #include "steering/core/tracking_errors.h"
 
@@ -14,16 +15,7 @@ namespace bole::steering {
 namespace {
 
 using ::testing::HasSubstr;
-
-std::string error_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& e) {
-    EXPECT_EQ(e.kind(), ErrorKind::bad_input);
-    return e.what();
-  }
-  return "no error";
-}
+using testing_checks::refusal_of;
 
 Table points(const std::vector<Eigen::Vector2d>& at, double east = 500'000, double north = 2'500'000) {
   std::vector<double> x, y;
@@ -123,7 +115,7 @@ TEST(PlanLines, ABayCutsLinesInTwo) {
 TEST(PlanLines, RefusesWithTheReason) {
   const auto ab = points({{5, 2}, {50, 2}});
   const auto error = [&](const Table& a, const Table* field, const PlanOptions& o) {
-    return error_of([&] { plan_lines(a, field, o, {}); });
+    return refusal_of([&] { plan_lines(a, field, o, {}); });
   };
   EXPECT_THAT(error(points({{5, 2}}), nullptr, wide(3)), HasSubstr("does not hold A and B"));
   EXPECT_THAT(error(points({{5, 2}, {5, 2}}), nullptr, wide(3)), HasSubstr("0.1 m apart"));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cloud/height_facts.h"
+#include "measured.h"
 #include "stems/core/measure_stems.h"
 #include "synthetic/stem_cloud.h"
 
@@ -39,10 +40,6 @@ StemCloud stand(double lowest, double terrain, bool ground) {
   set_fact(made.points.facts, facts::terrain, "ground");
   for (auto& z : made.dem.values) z += static_cast<float>(terrain);
   return made;
-}
-
-StemSurvey measure(const StemCloud& cloud) {
-  return measure_stems(cloud.points, usual_breast_height_m, cloud.dem, nullptr, {}, {});
 }
 
 const Finding* finding(const Report& report, const std::string& code) {

@@ -10,6 +10,7 @@
 #include <set>
 #include <stop_token>
 
+#include "measured.h"
 #include "stems/core/breast_height_slice.h"
 #include "stems/core/fit/repeated_fits.h"
 #include "stems/core/fit/stem_quality.h"
@@ -26,16 +27,6 @@ using synthetic::StemCloud;
 using synthetic::StemCloudOptions;
 
 // Few enough rays for a quick test.
-StemCloudOptions coarse() {
-  StemCloudOptions o;
-  o.pass_step = 0.5, o.azimuth_step = 0.4;
-  return o;
-}
-
-StemSurvey measure(const StemCloud& cloud, const MeasureOptions& options = {}) {
-  return measure_stems(cloud.points, usual_breast_height_m, cloud.dem, nullptr, options, {});
-}
-
 struct Errors {
   std::size_t missed = 0, extra = 0, covered = 0;
   double bias = 0, rmse = 0;  // centimetres

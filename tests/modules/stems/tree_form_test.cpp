@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "measured.h"
 #include "stems/core/fit/contour.h"
 #include "stems/core/fit/each_stem.h"
 #include "stems/core/fit/stem_quality.h"
@@ -23,16 +24,6 @@ using synthetic::make_stem_cloud;
 using synthetic::StemCloud;
 using synthetic::StemCloudOptions;
 using synthetic::TrueStem;
-
-StemCloudOptions coarse() {
-  StemCloudOptions o;
-  o.pass_step = 0.5, o.azimuth_step = 0.4;
-  return o;
-}
-
-StemSurvey measure(const StemCloud& cloud, const MeasureOptions& options = {}) {
-  return measure_stems(cloud.points, usual_breast_height_m, cloud.dem, nullptr, options, {});
-}
 
 // Adds points with a height to a synthetic cloud; the other columns repeat those of the first point.
 void add_points(StemCloud& cloud, const std::vector<Eigen::Vector3f>& more) {

@@ -9,12 +9,14 @@
 #include "base/angles.h"
 #include "base/no_number.h"
 #include "base/random.h"
+#include "checks.h"
 #include "survey/core/georeference/place_trees.h"
 
 namespace bole::survey {
 namespace {
 
 using ::testing::HasSubstr;
+using testing_checks::refusal_of;
 
 const geo::ProjectedCrs& utm32() {
   static const geo::ProjectedCrs crs("EPSG:25832");
@@ -71,16 +73,6 @@ double worst_error(const Georeference& place, const Truth& truth, const std::vec
 
 bool found(const Report& report, const std::string& code) {
   return std::ranges::any_of(report.findings, [&](const Finding& f) { return f.code == code; });
-}
-
-std::string refusal(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const Error& e) {
-    EXPECT_EQ(e.kind(), ErrorKind::bad_input);
-    return e.what();
-  }
-  return "not refused";
 }
 
 TEST(Georeference, ExactControlPointsGiveExactPlaces) {
@@ -330,7 +322,7 @@ const Table& some_targets() {
 }
 
 std::string control_refusal(const Table& control, const GeoreferenceOptions& options) {
-  return refusal([&] {
+  return refusal_of([&] {
     Report report;
     const auto crs = control_crs(control, options, "");
     const auto points = control_points(control, {&some_targets(), nullptr}, crs, options, report);
@@ -415,17 +407,17 @@ TEST(ControlPoints, ExchangedAxesOfALocalPlaneAreSeenByTheMirror) {
   auto points = control_at(corners(), truth);
   for (auto& p : points) std::swap(p.global.x(), p.global.y());
   for (auto& p : points) p.global.head<2>() += Eigen::Vector2d(560000 - 5412345, 5412345 - 560000);
-  EXPECT_THAT(refusal([&] { georeference(points, utm32(), plot_with({}), {}); }), HasSubstr("mirrored"));
+  EXPECT_THAT(refusal_of([&] { georeference(points, utm32(), plot_with({}), {}); }), HasSubstr("mirrored"));
 }
 
 TEST(ControlPoints, PointsAtOnePlaceGiveNoDirection) {
   const Truth truth;
   const auto points = control_at({{0, 0, 0}, {0.2, 0, 0}}, truth);
-  EXPECT_THAT(refusal([&] { georeference(points, utm32(), plot_with({}), {}); }), HasSubstr("no direction"));
+  EXPECT_THAT(refusal_of([&] { georeference(points, utm32(), plot_with({}), {}); }), HasSubstr("no direction"));
 }
 
 TEST(Georeference, OptionsThatContradictAreRefused) {
-  const auto check = [](const GeoreferenceOptions& o) { return refusal([&] { option_table(&o).check_all(&o); }); };
+  const auto check = [](const GeoreferenceOptions& o) { return refusal_of([&] { option_table(&o).check_all(&o); }); };
   GeoreferenceOptions o;
   o.easting = 1;
   EXPECT_THAT(check(o), HasSubstr("northing"));

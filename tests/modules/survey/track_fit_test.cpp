@@ -9,12 +9,14 @@
 #include "base/angles.h"
 #include "base/error.h"
 #include "base/random.h"
+#include "checks.h"
 #include "survey/core/georeference/track_place.h"
 
 namespace bole::survey {
 namespace {
 
 using ::testing::HasSubstr;
+using testing_checks::refusal_of;
 
 constexpr double begin_s = 1714551000;
 
@@ -46,7 +48,7 @@ Trajectory walk() {
   return path;
 }
 
-struct Truth {
+struct TrackTruth {
   double turn_rad = radians(-38);
   Eigen::Vector3d shift{563210.5, 5412345.25, 450};
   double offset_s = 18;  // time of the walk - time of the receiver
@@ -54,7 +56,7 @@ struct Truth {
 };
 
 // Once a second, with errors that last: a first-order process with the time constant of a receiver under trees.
-std::vector<TrackFix> track_of(const Trajectory& path, const Truth& truth, double sd, double constant_s, int seed,
+std::vector<TrackFix> track_of(const Trajectory& path, const TrackTruth& truth, double sd, double constant_s, int seed,
                                double outlier_share = 0) {
   Random random(static_cast<std::uint64_t>(seed), 5);
   std::vector<TrackFix> track;
@@ -73,7 +75,7 @@ std::vector<TrackFix> track_of(const Trajectory& path, const Truth& truth, doubl
 
 TEST(TrackFit, ExactTracksGiveClockLeverAndPlace) {
   const auto path = walk();
-  const Truth truth;
+  const TrackTruth truth;
   const auto track = track_of(path, truth, 1e-4, 0, 1);
   const double offset = find_clock_offset(path, track, {0}, 30).offset_s;
   EXPECT_NEAR(offset, truth.offset_s, 1);
@@ -92,7 +94,7 @@ TEST(TrackFit, UncertaintiesHoldWithErrorsThatLast) {
   int clock = 0, turn = 0, place = 0, places = 0;
   double worst_clock = 0;
   for (int seed = 0; seed < seeds; ++seed) {
-    const Truth truth;
+    const TrackTruth truth;
     const auto track = track_of(path, truth, 0.4, 10, seed, 0.05);
     const auto fit =
         fit_track(path, track, find_clock_offset(path, track, {0}, 30).offset_s, {Eigen::Vector3d::Zero(), 0.3});
@@ -118,7 +120,7 @@ TEST(TrackFit, UncertaintiesHoldWithErrorsThatLast) {
 
 TEST(TrackFit, ATimeOfDayIsUnderstood) {
   const auto path = walk();
-  Truth truth;
+  TrackTruth truth;
   truth.offset_s = std::floor(begin_s / 86400) * 86400 + 3.2;
   const auto track = track_of(path, truth, 0.05, 0, 3);
   const auto usual = usual_clock_offsets(path, track);
@@ -127,21 +129,12 @@ TEST(TrackFit, ATimeOfDayIsUnderstood) {
 
 TEST(TrackFit, ClocksWithoutAnythingInCommonAreFoundByTheShape) {
   const auto path = walk();
-  Truth truth;
+  TrackTruth truth;
   truth.offset_s = begin_s - 4711.5;
   const auto track = track_of(path, truth, 0.3, 5, 4);
   const auto found = find_clock_offset(path, track, {}, 30);
   EXPECT_NEAR(found.offset_s, truth.offset_s, 2);
   EXPECT_TRUE(found.rival_s.has_value());  // the lines, shifted by two
-}
-
-std::string refusal(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "not refused";
 }
 
 TEST(TrackFit, RefusedWithTheReason) {
@@ -155,16 +148,16 @@ TEST(TrackFit, RefusedWithTheReason) {
     round.poses.push_back(pose);
   }
   const auto same = track_of(round, {}, 0.1, 0, 5);
-  EXPECT_THAT(refusal([&] { find_clock_offset(round, same, {18}, 100); }), HasSubstr("fits alike"));
+  EXPECT_THAT(refusal_of([&] { find_clock_offset(round, same, {18}, 100); }), HasSubstr("fits alike"));
   auto other = track_of(path, {}, 0.1, 0, 6);
   for (auto& fix : other) fix.time_s *= 100;
-  EXPECT_THAT(refusal([&] { find_clock_offset(path, other, {}, 30); }), HasSubstr("clocks"));
-  EXPECT_THAT(refusal([&] { fit_track(path, other, 0, {}); }), HasSubstr("0 fixes"));
+  EXPECT_THAT(refusal_of([&] { find_clock_offset(path, other, {}, 30); }), HasSubstr("clocks"));
+  EXPECT_THAT(refusal_of([&] { fit_track(path, other, 0, {}); }), HasSubstr("0 fixes"));
 }
 
 TEST(TrackPlace, ATableOfFixesPlacesThePlot) {
   const auto path = walk();
-  const Truth truth;
+  const TrackTruth truth;
   const auto track = track_of(path, truth, 0.02, 0, 7);
   Table table;
   std::vector<double> time, x, y, z;
@@ -191,7 +184,7 @@ TEST(TrackPlace, ATableOfFixesPlacesThePlot) {
   EXPECT_LT(place.uncertainty.at(stem), 0.1);
   EXPECT_NEAR(place.report.metrics.at("clock_offset").value, truth.offset_s, 0.1);
   table.remove("time_s");
-  EXPECT_THAT(refusal([&] { place_by_track(path, with_plane_columns(table), crs, plot, options); }),
+  EXPECT_THAT(refusal_of([&] { place_by_track(path, with_plane_columns(table), crs, plot, options); }),
               HasSubstr("no times"));
 }
 

@@ -21,7 +21,7 @@ struct Field {
   char type = 'F';
 };
 
-struct Header {
+struct PcdHeader {
   std::vector<Field> fields;
   std::uint64_t width = 0, height = 1;
   std::optional<std::uint64_t> points;
@@ -80,7 +80,7 @@ T whole_number(std::string_view word, std::string_view key) {
   return value;
 }
 
-void read_header_line(const std::vector<std::string_view>& words, Header& header) {
+void read_header_line(const std::vector<std::string_view>& words, PcdHeader& header) {
   const auto key = words[0];
   const auto check_count = [&] {
     if (words.size() - 1 != header.fields.size())
@@ -115,8 +115,8 @@ void read_header_line(const std::vector<std::string_view>& words, Header& header
   }
 }
 
-Header read_header(Bytes file) {
-  Header header;
+PcdHeader read_pcd_header(Bytes file) {
+  PcdHeader header;
   LineReader lines(file);
   std::string_view line;
   while (header.data.empty()) {
@@ -135,7 +135,7 @@ Header read_header(Bytes file) {
 }
 
 // One field per value. Values of a field with a count above 1 get numbered names.
-std::vector<SourceField> flat_fields(const Header& header) {
+std::vector<SourceField> flat_fields(const PcdHeader& header) {
   std::vector<SourceField> fields;
   for (const auto& f : header.fields)
     for (std::size_t i = 0; i < f.count; ++i) {
@@ -157,7 +157,7 @@ double ascii_value(const SourceField& field, char type, std::string_view word) {
   return value;
 }
 
-CloudReading read_ascii(Bytes data, const Header& header, const CloudReadOptions& options, const Run& run) {
+CloudReading read_ascii(Bytes data, const PcdHeader& header, const CloudReadOptions& options, const Run& run) {
   const auto fields = flat_fields(header);
   CloudBuilder builder(fields, options);
   std::vector<char> types;
@@ -188,7 +188,7 @@ CloudReading read_ascii(Bytes data, const Header& header, const CloudReadOptions
   return out;
 }
 
-CloudReading read_binary(Bytes data, const Header& header, const CloudReadOptions& options, const Run& run) {
+CloudReading read_binary(Bytes data, const PcdHeader& header, const CloudReadOptions& options, const Run& run) {
   const auto fields = flat_fields(header);
   CloudBuilder builder(fields, options);
   const std::size_t record = header.record_bytes();
@@ -210,7 +210,7 @@ CloudReading read_binary(Bytes data, const Header& header, const CloudReadOption
 }
 
 // Compressed data is stored field by field.
-CloudReading read_compressed(Bytes data, const Header& header, const CloudReadOptions& options, const Run& run) {
+CloudReading read_compressed(Bytes data, const PcdHeader& header, const CloudReadOptions& options, const Run& run) {
   const auto fields = flat_fields(header);
   CloudBuilder builder(fields, options);
   if (data.size() < 8)
@@ -289,7 +289,7 @@ std::vector<std::uint8_t> lzf_unpack(Bytes packed, std::size_t size) {
 }
 
 CloudReading read_pcd(Bytes file, const CloudReadOptions& options, const Run& run) {
-  const Header header = read_header(file);
+  const PcdHeader header = read_pcd_header(file);
   const Bytes data = file.subspan(header.data_offset);
   if (header.fields.empty()) throw bad_input("the PCD header names no fields", "a line FIELDS x y z");
   CloudReading out;

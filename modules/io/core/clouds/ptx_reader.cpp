@@ -10,7 +10,7 @@
 namespace bole::io {
 namespace {
 
-constexpr std::size_t lines_between_polls = 1 << 15;
+constexpr std::size_t ptx_lines_between_polls = 1 << 15;
 
 // Reads lines of numbers, and throws Error{bad_input} for other lines.
 class PtxLines {
@@ -97,7 +97,7 @@ CloudReading read_ptx(Bytes file, const CloudReadOptions& options, const Run& ru
     ++scans;
     double cell = 0;
     for (; cell < cells && !lines.at_end(); ++cell) {
-      if (lines.number() % lines_between_polls == 0) {
+      if (lines.number() % ptx_lines_between_polls == 0) {
         run.check_cancel();
         run.report(static_cast<double>(lines.position()) / static_cast<double>(file.size()), "reading lines");
       }

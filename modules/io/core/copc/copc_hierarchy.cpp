@@ -9,7 +9,7 @@ namespace bole::io::copc {
 
 namespace {
 
-constexpr std::size_t entry_size = 32;
+constexpr std::size_t bytes_per_entry = 32;
 constexpr std::size_t one_page_nodes = 2048;  // all in one page up to here
 constexpr int page_levels = 4;                // of a page, where there are several
 constexpr std::size_t min_page_nodes = 64;
@@ -58,7 +58,7 @@ std::vector<Page> divide_into_pages(const std::vector<OctreeNode>& nodes) {
 
 void append_entry(std::vector<std::uint8_t>& out, const OctreeNode& node, std::uint64_t offset, std::uint64_t bytes,
                   std::int32_t points) {
-  std::uint8_t entry[entry_size];
+  std::uint8_t entry[bytes_per_entry];
   las::store(entry, static_cast<std::int32_t>(node.level));
   las::store(entry + 4, node.key.x());
   las::store(entry + 8, node.key.y());
@@ -66,7 +66,7 @@ void append_entry(std::vector<std::uint8_t>& out, const OctreeNode& node, std::u
   las::store(entry + 16, offset);
   las::store(entry + 24, static_cast<std::int32_t>(bytes));
   las::store(entry + 28, points);
-  out.insert(out.end(), entry, entry + entry_size);
+  out.insert(out.end(), entry, entry + bytes_per_entry);
 }
 
 }  // namespace
@@ -82,17 +82,17 @@ Hierarchy make_hierarchy(const Octree& octree, const std::vector<laz::Chunk>& ch
   auto pages = divide_into_pages(octree.nodes);
   for (auto& page : pages) {
     page.offset = offset;
-    offset += page.entries() * entry_size;
+    offset += page.entries() * bytes_per_entry;
   }
   for (const auto& page : pages) {
     for (const auto i : page.nodes)
       append_entry(out.bytes, octree.nodes[i], chunks[i].begin, chunks[i].end - chunks[i].begin,
                    static_cast<std::int32_t>(chunks[i].points));
     for (const auto i : page.pages)
-      append_entry(out.bytes, octree.nodes[pages[i].root], pages[i].offset, pages[i].entries() * entry_size,
+      append_entry(out.bytes, octree.nodes[pages[i].root], pages[i].offset, pages[i].entries() * bytes_per_entry,
                    in_other_page);
   }
-  out.root_size = pages[0].entries() * entry_size;
+  out.root_size = pages[0].entries() * bytes_per_entry;
   return out;
 }
 

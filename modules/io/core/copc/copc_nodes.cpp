@@ -15,7 +15,7 @@ namespace {
 using las::load;
 
 constexpr std::size_t header_size = 375, vlr_header = 54, info_size = 160, entry_size = 32;
-constexpr std::int32_t max_level = 31;
+constexpr std::int32_t max_stored_level = 31;
 
 // An entry of a page.
 struct Entry {
@@ -32,8 +32,8 @@ struct Entry {
         points(load<std::int32_t>(at + 28)) {}
 
   bool possible() const {
-    return level >= 0 && level < max_level && key.minCoeff() >= 0 && key.maxCoeff() < (std::int64_t{1} << level) &&
-           bytes >= 0 && points >= -1;
+    return level >= 0 && level < max_stored_level && key.minCoeff() >= 0 &&
+           key.maxCoeff() < (std::int64_t{1} << level) && bytes >= 0 && points >= -1;
   }
   bool is_page() const { return points == -1; }
 };
@@ -41,10 +41,11 @@ struct Entry {
 class Search {
  public:
   Search(Bytes file, const LasInfo& info, const CopcInfo& copc, const CloudBounds& bounds, double resolution)
-      : file_(file), info_(info), copc_(copc), bounds_(bounds), last_level_(max_level) {
+      : file_(file), info_(info), copc_(copc), bounds_(bounds), last_level_(max_stored_level) {
     if (resolution > 0) {
       last_level_ = 0;
-      for (double spacing = copc.spacing; spacing > resolution && last_level_ < max_level; spacing /= 2) ++last_level_;
+      for (double spacing = copc.spacing; spacing > resolution && last_level_ < max_stored_level; spacing /= 2)
+        ++last_level_;
     }
   }
 

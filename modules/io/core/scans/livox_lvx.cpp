@@ -24,7 +24,7 @@ constexpr double frame_s = 0.1;
 constexpr std::size_t max_block_steps = 1'000'000'000;
 
 // Device types of the maker. The place of the inertial unit in the axes of the points, from the user manuals.
-struct Kind {
+struct DeviceKind {
   int type;
   bool lvx2;
   const char* name;
@@ -33,15 +33,15 @@ struct Kind {
   std::array<double, 3> imu_m;
   bool has_imu;
 };
-constexpr std::array kinds{Kind{1, false, "Livox Mid-40", nullptr, 100e3, {}, false},
-                           Kind{2, false, "Livox Tele-15", nullptr, 240e3, {}, false},
-                           Kind{3, false, "Livox Horizon", "horizon", 240e3, {-0.05512, -0.02226, 0.0297}, true},
-                           Kind{6, false, "Livox Mid-70", nullptr, 100e3, {}, false},
-                           Kind{7, false, "Livox Avia", "avia", 240e3, {-0.04165, -0.02326, 0.0284}, true},
-                           Kind{9, true, "Livox Mid-360", "mid360", 200e3, {0.011, 0.02329, -0.04412}, true}};
+constexpr std::array kinds{DeviceKind{1, false, "Livox Mid-40", nullptr, 100e3, {}, false},
+                           DeviceKind{2, false, "Livox Tele-15", nullptr, 240e3, {}, false},
+                           DeviceKind{3, false, "Livox Horizon", "horizon", 240e3, {-0.05512, -0.02226, 0.0297}, true},
+                           DeviceKind{6, false, "Livox Mid-70", nullptr, 100e3, {}, false},
+                           DeviceKind{7, false, "Livox Avia", "avia", 240e3, {-0.04165, -0.02326, 0.0284}, true},
+                           DeviceKind{9, true, "Livox Mid-360", "mid360", 200e3, {0.011, 0.02329, -0.04412}, true}};
 
-const Kind* kind_of(int type, bool lvx2) {
-  const auto it = std::ranges::find_if(kinds, [&](const Kind& k) { return k.type == type && k.lvx2 == lvx2; });
+const DeviceKind* kind_of(int type, bool lvx2) {
+  const auto it = std::ranges::find_if(kinds, [&](const DeviceKind& k) { return k.type == type && k.lvx2 == lvx2; });
   return it == kinds.end() ? nullptr : &*it;
 }
 

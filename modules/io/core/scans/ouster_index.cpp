@@ -9,7 +9,7 @@
 namespace bole::io {
 namespace {
 
-constexpr double max_disagreement_s = 2;  // between the clock of the sensor and that of the recorder
+constexpr double max_clock_gap_s = 2;  // between the clock of the sensor and that of the recorder
 
 }  // namespace
 
@@ -85,13 +85,13 @@ bool OusterSource::of_another_sensor(const sensor::OusterPacketHead& head) const
 void OusterSource::follow_clock(const sensor::OusterPacketHead& head, double recorded_s, Counts& counts) {
   const double sensor_s = 1e-9 * static_cast<double>(head.first_time_ns);
   if (clocks_.empty()) {
-    counts.follows_utc = std::abs(sensor_s - recorded_s) < max_disagreement_s;
+    counts.follows_utc = std::abs(sensor_s - recorded_s) < max_clock_gap_s;
     clocks_.push_back({head.first_time_ns, head.last_time_ns, counts.follows_utc ? 0 : recorded_s - sensor_s});
   } else {
     // In captures without usable times the recorder's clock stands still. Then only the sensor's clock counts.
     const double step_s = 1e-9 * static_cast<double>(head.first_time_ns - counts.sensor_ns);
     const double passed_s = recorded_s - counts.recorded_s;
-    if (passed_s > 0 && std::abs(step_s) > max_disagreement_s && std::abs(step_s - passed_s) > max_disagreement_s) {
+    if (passed_s > 0 && std::abs(step_s) > max_clock_gap_s && std::abs(step_s - passed_s) > max_clock_gap_s) {
       ++counts.clock_jumps;
       clocks_.push_back({head.first_time_ns, head.last_time_ns, clocks_.back().offset_s + passed_s - step_s});
     }

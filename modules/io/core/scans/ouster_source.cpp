@@ -12,7 +12,7 @@
 namespace bole::io {
 namespace {
 
-constexpr double complete_share = 0.9;  // of the columns in the window
+constexpr double complete_column_share = 0.9;  // of the columns in the window
 
 }  // namespace
 
@@ -27,7 +27,7 @@ OusterSource::OusterSource(std::unique_ptr<DatagramReader> packets, sensor::Oust
 }
 
 bool OusterSource::is_whole(const Frame& frame) const {
-  return frame.columns >= complete_share * decoder_.metadata().columns_in_window();
+  return frame.columns >= complete_column_share * decoder_.metadata().columns_in_window();
 }
 
 void OusterSource::drop_partial_ends() {

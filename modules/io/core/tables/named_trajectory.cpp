@@ -160,7 +160,7 @@ bool counts_seconds(std::string_view word) {
 }
 
 // The character between the columns; a blank stands for any number of blanks and tabs.
-char delimiter_of(std::string_view line) {
+char separator_in(std::string_view line) {
   for (const char c : {';', ',', '\t'})
     if (line.find(c) != std::string_view::npos) return c;
   return ' ';
@@ -232,7 +232,7 @@ std::optional<Layout> layout_of(std::string_view line) {
   Layout layout;
   layout.column.fill(-1);
   const std::string named = without_remarks(line);
-  layout.delimiter = delimiter_of(named);
+  layout.delimiter = separator_in(named);
   std::vector<std::string_view> words;
   split(named, layout.delimiter, words);
   if (layout.delimiter == ' ')  // units that stand apart
@@ -262,7 +262,7 @@ class Lines {
       line_ = trimmed(line_);
       if (line_.empty() || line_.front() == '#' || line_.front() == '%') continue;
       // Below a header that stands in a comment, the lines may have another delimiter.
-      split(line_, line_.find(layout_.delimiter) == line_.npos ? delimiter_of(line_) : layout_.delimiter, words_);
+      split(line_, line_.find(layout_.delimiter) == line_.npos ? separator_in(line_) : layout_.delimiter, words_);
       const bool fits = layout_.open_end ? words_.size() + 1 >= layout_.columns : words_.size() == layout_.columns;
       if (!fits)
         throw bad_input(place() + " has " + std::to_string(words_.size()) + " values",
@@ -341,7 +341,7 @@ bool looks_like_named_trajectory(Bytes file) {
   std::vector<std::string_view> words;
   while (lines.next(line))
     if (line = trimmed(line); !line.empty() && line.front() != '#') {
-      split(line, line.find(layout->delimiter) == line.npos ? delimiter_of(line) : layout->delimiter, words);
+      split(line, line.find(layout->delimiter) == line.npos ? separator_in(line) : layout->delimiter, words);
       return words.size() == layout->columns;
     }
   return true;

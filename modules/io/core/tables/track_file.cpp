@@ -16,7 +16,7 @@
 namespace bole::io {
 namespace {
 
-constexpr double day_s = 86400;
+constexpr double seconds_of_day = 86400;
 constexpr std::int64_t max_named_lines = 3;  // of those that cannot be used
 
 std::vector<std::string> names_of(const std::string& columns) {
@@ -138,9 +138,9 @@ Table read_column_track(Bytes file, const std::string&, const TrackOptions& o, R
     if (names[i] == "hhmmss") {
       double days = 0, last = -1;
       for (auto& v : values[i]) {
-        v = seconds_of(v) + days * day_s;
-        if (last >= 0 && v < last - day_s / 2) {  // past midnight
-          v += day_s;
+        v = seconds_of(v) + days * seconds_of_day;
+        if (last >= 0 && v < last - seconds_of_day / 2) {  // past midnight
+          v += seconds_of_day;
           ++days;
         }
         last = v;

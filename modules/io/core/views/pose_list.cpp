@@ -12,7 +12,7 @@ namespace {
 
 using Rows = std::vector<std::vector<double>>;
 
-constexpr const char* needed =
+constexpr const char* needed_lines =
     "per view: tx ty tz qx qy qz qw, a time before them, 12 or 16 numbers of a matrix, or 4 lines of a matrix";
 
 Pose pose_of_quaternion(const double* v, const std::string& place) {
@@ -47,12 +47,13 @@ std::vector<ListedPose> poses_of_blocks(const Rows& rows, const std::string& nam
     const auto place = "'" + name + "' pose " + std::to_string(poses.size() + 1);
     ListedPose listed;
     if (headed) {
-      if (rows[at].size() > 3 || rows[at].empty()) throw bad_input(place + " has no line of numbers above it", needed);
+      if (rows[at].size() > 3 || rows[at].empty())
+        throw bad_input(place + " has no line of numbers above it", needed_lines);
       listed.key = rows[at++][0];
     }
     std::vector<double> matrix;
     for (int i = 0; i < 4; ++i, ++at) {
-      if (at >= rows.size() || rows[at].size() != 4) throw bad_input(place + " is cut off or no matrix", needed);
+      if (at >= rows.size() || rows[at].size() != 4) throw bad_input(place + " is cut off or no matrix", needed_lines);
       matrix.insert(matrix.end(), rows[at].begin(), rows[at].end());
     }
     listed.pose = pose_from_matrix(matrix, place);
@@ -89,11 +90,11 @@ Rows number_lines(Bytes text, const std::string& name) {
 
 std::vector<ListedPose> parse_pose_list(Bytes text, const std::string& name) {
   const auto rows = number_lines(text, name);
-  if (rows.empty()) throw bad_input("'" + name + "' holds no poses", needed);
+  if (rows.empty()) throw bad_input("'" + name + "' holds no poses", needed_lines);
   const auto width = rows.front().size();
   if (width <= 4) return poses_of_blocks(rows, name);
   if (width != 7 && width != 8 && width != 12 && width != 16)
-    throw bad_input("'" + name + "' has lines of " + std::to_string(width) + " numbers", needed);
+    throw bad_input("'" + name + "' has lines of " + std::to_string(width) + " numbers", needed_lines);
   std::vector<ListedPose> poses;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto place = "'" + name + "' pose " + std::to_string(i + 1);

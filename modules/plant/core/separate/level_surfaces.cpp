@@ -12,7 +12,7 @@
 namespace bole::plant {
 namespace {
 
-constexpr int tries = 600;
+constexpr int surface_tries = 600;
 constexpr std::size_t sample_size = 8000;  // points that a try is scored with
 
 FoundPlane refined(const Points3& points, FoundPlane plane, double tolerance) {
@@ -58,7 +58,7 @@ std::optional<FoundPlane> largest_plane(const Points3& points, double tolerance,
   FoundPlane best;
   std::size_t best_count = 0;
   const double min_cosine = std::cos(max_angle_rad);
-  for (int i = 0; i < tries; ++i) {
+  for (int i = 0; i < surface_tries; ++i) {
     if (i % 50 == 0) run.check_cancel();
     const auto& a = sample[random.next() % sample.size()];
     const auto& b = sample[random.next() % sample.size()];

@@ -20,8 +20,8 @@ constexpr int plan_directions = 72;
 constexpr double pointed_share = 0.35;  // of the reach: how far a point lies from the middle of its neighbours at a tip
 constexpr double step_px = 0.5;         // between samples on the line
 constexpr double spread_px = 0.9;       // usual point spread of a picture with its pixel
-constexpr double min_contrast = 0.03;   // of 0..1
-constexpr double min_explained = 0.6;   // share of the line's variance that one edge must explain
+constexpr double min_tip_contrast = 0.03;  // of 0..1
+constexpr double min_explained = 0.6;      // share of the line's variance that one edge must explain
 constexpr std::size_t min_views = 4;
 constexpr double min_agreeing = 0.35;  // share of the views with an edge
 constexpr int hiding_px = 3;           // between places of a line that are asked what hides them
@@ -136,7 +136,7 @@ class LineColors {
       double c = 0;
       if (const double left = left_over(e, narrowing, c); left < best) best = left, end = e, contrast = c;
     }
-    if (contrast < min_contrast || best > (1 - min_explained) * total_ || std::abs(end) > room_ - step_px)
+    if (contrast < min_tip_contrast || best > (1 - min_explained) * total_ || std::abs(end) > room_ - step_px)
       return std::nullopt;
     double ignored = 0;
     const double before = left_over(end - step_px, narrowing, ignored),

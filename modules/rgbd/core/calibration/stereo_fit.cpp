@@ -11,7 +11,7 @@
 namespace bole::rgbd {
 namespace {
 
-constexpr std::size_t min_views = 4;
+constexpr std::size_t min_pairs = 4;
 constexpr std::size_t min_common = 8;
 constexpr double same_time_s = 0.01;
 
@@ -105,9 +105,9 @@ StereoFit fit_stereo(const ViewSource& color_views, const std::vector<BoardShot>
     }
   const auto common = pairs.object.size();
   if (common > 0) drop_strangers(pairs);
-  if (pairs.object.size() < min_views)
+  if (pairs.object.size() < min_pairs)
     throw bad_input(std::to_string(pairs.object.size()) + " views of the board were taken by both cameras",
-                    std::to_string(min_views) + " at least, at the same times");
+                    std::to_string(min_pairs) + " at least, at the same times");
   cv::Mat rotation, shift, essential, fundamental;
   const cv::TermCriteria enough(cv::TermCriteria::EPS + cv::TermCriteria::COUNT, 100, 1e-12);
   StereoFit fit;

@@ -12,8 +12,8 @@
 namespace bole::rgbd {
 namespace {
 
-constexpr int max_trials = 1500;
-constexpr double confidence = 0.999;
+constexpr int max_rigid_trials = 1500;
+constexpr double rigid_confidence = 0.999;
 constexpr double max_depth_sigmas = 4;
 constexpr double min_depth = 1e-3;
 constexpr int refinements = 2, newton_steps = 8;
@@ -207,8 +207,8 @@ class Search {
     const bool from_a = in_a_.size() >= in_b_.size();
     const auto& pool = by_points ? both_ : (from_a ? in_a_ : in_b_);
     if (static_cast<int>(pool.size()) < std::max(4, o_.min_inliers)) return std::nullopt;
-    double needed = max_trials;
-    for (int trial = 0; trial < max_trials && trial < needed; ++trial) {
+    double needed = max_rigid_trials;
+    for (int trial = 0; trial < max_rigid_trials && trial < needed; ++trial) {
       const auto triple = draw(pool, random_);
       bool better = false;
       if (by_points) {
@@ -218,7 +218,7 @@ class Search {
       }
       if (!better) continue;
       const double share = static_cast<double>(best_count_) / static_cast<double>(matches_.size());
-      needed = std::log(1 - confidence) / std::log(std::max(1e-12, 1 - share * share * share));
+      needed = std::log(1 - rigid_confidence) / std::log(std::max(1e-12, 1 - share * share * share));
       needed = std::max(needed * trial_factor, min_trials);
     }
     if (best_count_ < 3) return std::nullopt;

@@ -6,10 +6,10 @@
 #include <queue>
 #include <tuple>
 
+#include "rgbd/core/at.h"
+
 namespace bole::rgbd {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 struct Neighbour {
   int node;

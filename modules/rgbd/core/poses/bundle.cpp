@@ -8,12 +8,11 @@
 #include <memory>
 
 #include "base/statistics.h"
+#include "rgbd/core/at.h"
 #include "rgbd/core/poses/bundle_residuals.h"
 
 namespace bole::rgbd {
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // The first passes only need to tell outliers; the last one must be exact.
 constexpr int max_iterations = 30, max_first_iterations = 12;

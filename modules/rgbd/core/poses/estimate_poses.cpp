@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/statistics.h"
+#include "rgbd/core/at.h"
 #include "rgbd/core/matching/view_graph.h"
 #include "rgbd/core/poses/given_poses.h"
 #include "rgbd/core/poses/grow_poses.h"
@@ -25,8 +26,6 @@ constexpr double board_edge_weight = 1e4;    // the board ties a view before any
 constexpr double ambiguous_edge_weight = 1;
 constexpr double max_ring_turn_rad = 0.06, max_ring_shift_share = 0.06;  // of the depth
 constexpr int min_observations = 10, min_corners = 6;                    // below both, a view is lost
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class Estimator {
  public:

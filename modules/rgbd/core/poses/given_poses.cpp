@@ -10,18 +10,17 @@
 
 #include "base/error.h"
 #include "base/statistics.h"
+#include "rgbd/core/at.h"
 
 namespace bole::rgbd {
 namespace {
 
 constexpr double max_skew = 1e-3;    // of a rotation matrix from orthonormal
 constexpr double good_error_px = 3;  // median, in an image 1280 wide
-constexpr double reference_width = 1280;
-constexpr double max_scale_gap = 0.02;  // between given poses and board
-constexpr double min_baseline = 0.05;   // metres between two views that tell a scale
-constexpr double clearly_better = 0.5;  // of the error, that another convention must reach
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
+constexpr double usual_width = 1280;
+constexpr double max_given_scale_gap = 0.02;  // between given poses and board
+constexpr double min_baseline = 0.05;         // metres between two views that tell a scale
+constexpr double clearly_better = 0.5;        // of the error, that another convention must reach
 
 Pose flipped(const Pose& T) {
   Pose out = T;
@@ -122,7 +121,7 @@ void check_given(const std::vector<std::optional<Pose>>& poses, const std::vecto
     return;
   }
   report.metrics["given_error_px"] = {as_given, Unit::pixel};
-  const double good = good_error_px * std::max(1.0, data.front().camera->color.width / reference_width);
+  const double good = good_error_px * std::max(1.0, data.front().camera->color.width / usual_width);
   if (as_given <= good) return;
   std::string hint;
   double best = clearly_better * as_given;
@@ -163,7 +162,7 @@ void check_given_scale(const std::vector<std::optional<Pose>>& poses, const std:
   if (ratios.size() < enough) return;
   const double ratio = median(std::move(ratios));
   report.metrics["given_to_board"] = {ratio, Unit::none};
-  if (std::abs(ratio - 1) > max_scale_gap)
+  if (std::abs(ratio - 1) > max_given_scale_gap)
     report.find(Severity::look, "given_scale",
                 fmt::format("distances between the given poses are {:.4g} times what the board says. Check the unit of "
                             "the poses and square_mm in mat.json",

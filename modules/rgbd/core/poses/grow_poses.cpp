@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/statistics.h"
+#include "rgbd/core/at.h"
 #include "rgbd/core/matching/ray_motion.h"
 #include "rgbd/core/poses/make_bundle.h"
 #include "rgbd/core/poses/start_points.h"
@@ -15,8 +16,6 @@ constexpr double reference_width = 1280;
 constexpr double share_of_best = 0.7;  // of the known points that the best view sees: views above it are added at once
 constexpr double min_start_rad = 0.05, enough_start_rad = 0.2;  // angle between the rays of the first two views
 constexpr double point_error_factor = 2;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class Grower {
  public:

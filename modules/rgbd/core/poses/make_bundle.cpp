@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/no_number.h"
+#include "rgbd/core/at.h"
 #include "rgbd/core/poses/start_points.h"
 
 namespace bole::rgbd {
@@ -12,8 +13,6 @@ namespace {
 constexpr int tracks_per_cell = 5;
 constexpr double size_of_unit_sigma = 8;  // pixels: larger features are located less precisely
 constexpr double max_start_error_px = 200;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 class Maker {
  public:

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "base/statistics.h"
+#include "rgbd/core/at.h"
 
 namespace bole::rgbd {
 namespace {
@@ -21,8 +22,6 @@ constexpr double min_overlap = 0.25;
 constexpr double min_view_cosine = 0.6;  // between the rays to one point: features are not found again beyond
 constexpr double min_turntable_share = 0.5;
 constexpr double board_still_px = 2;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // How much of what view `a` sees view `b` sees as well, from a similar direction.
 double overlap(const ViewData& a, const Pose& T_world_a, const ViewData& b, const Pose& T_world_b) {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/angles.h"
+#include "rgbd/core/at.h"
 
 namespace bole::rgbd {
 namespace {
@@ -11,8 +12,6 @@ namespace {
 constexpr std::size_t max_pairs_shown = 8;
 constexpr std::size_t max_rows_of_state = 300;  // of each pair
 constexpr std::uint16_t color_step = 257;       // of 8 bit in 16 bit
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Evenly spread over the tried pairs of neighbours, and over the connected loops.
 std::vector<std::pair<int, int>> pairs_to_show(const std::vector<MatchedPair>& pairs) {

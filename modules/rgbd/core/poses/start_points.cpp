@@ -6,14 +6,13 @@
 #include <limits>
 
 #include "base/statistics.h"
+#include "rgbd/core/at.h"
 
 namespace bole::rgbd {
 namespace {
 
 constexpr int max_starts = 6;  // depths that are tried
 constexpr double min_parallax_rad = 0.015;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 struct Sight {
   Eigen::Vector3d origin, ray;  // world axes; ray is a unit vector

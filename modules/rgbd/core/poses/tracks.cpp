@@ -6,12 +6,12 @@
 #include <numeric>
 #include <utility>
 
+#include "rgbd/core/at.h"
+
 namespace bole::rgbd {
 namespace {
 
 constexpr int cells_x = 12, cells_y = 8;
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Joins features as long as no two of one view come together.
 class Joiner {

@@ -10,7 +10,7 @@ Option<S, double> metres(std::string_view name, double S::*member, double min, d
 }
 
 template <class S>
-Option<S, double> degrees(std::string_view name, double S::*member, double min, double max, std::string_view help) {
+Option<S, double> in_degrees(std::string_view name, double S::*member, double min, double max, std::string_view help) {
   return {name, member, Unit::degree, {min, max}, Tier::basic, help};
 }
 
@@ -30,9 +30,9 @@ void check_bounds(double min, double max, const std::string& axis) {
 const OptionTable& option_table(const LevelOptions*) {
   using S = LevelOptions;
   static const OptionTable table = make_option_table<S>({
-      degrees("roll", &S::roll_deg, -180, 180, "Roll of the sensor about its x axis, from its IMU."),
-      degrees("pitch", &S::pitch_deg, -90, 90, "Pitch of the sensor about its y axis, from its IMU."),
-      degrees("yaw", &S::yaw_deg, -360, 360, "Yaw of the sensor about the vertical axis."),
+      in_degrees("roll", &S::roll_deg, -180, 180, "Roll of the sensor about its x axis, from its IMU."),
+      in_degrees("pitch", &S::pitch_deg, -90, 90, "Pitch of the sensor about its y axis, from its IMU."),
+      in_degrees("yaw", &S::yaw_deg, -360, 360, "Yaw of the sensor about the vertical axis."),
   });
   return table;
 }
@@ -66,12 +66,12 @@ const OptionTable& option_table(const VoxelOptions*) {
 const OptionTable& option_table(const RayGroundOptions*) {
   using S = RayGroundOptions;
   static const OptionTable table = make_option_table<S>({
-      degrees("sector", &S::sector_deg, 0.01, 45, "Width of the sectors around the sensor."),
+      in_degrees("sector", &S::sector_deg, 0.01, 45, "Width of the sectors around the sensor."),
       metres("sensor_height", &S::sensor_height, 0, 20, "Height of the sensor above the ground below it."),
-      degrees("max_local_slope", &S::max_local_slope_deg, 0, 60,
-              "Steepest ground from one point to the next. A larger value removes more points."),
-      degrees("max_general_slope", &S::max_general_slope_deg, 0, 60,
-              "Steepest ground as seen from the sensor. A larger value removes more points."),
+      in_degrees("max_local_slope", &S::max_local_slope_deg, 0, 60,
+                 "Steepest ground from one point to the next. A larger value removes more points."),
+      in_degrees("max_general_slope", &S::max_general_slope_deg, 0, 60,
+                 "Steepest ground as seen from the sensor. A larger value removes more points."),
       metres("height_threshold", &S::height_threshold, 0, 2,
              "Points less than this above the last ground point are ground, whatever the slope.", Tier::advanced),
       metres("reset_distance", &S::reset_distance, 0, 50,
@@ -133,8 +133,8 @@ const OptionTable& option_table(const PlaceOptions*) {
   static const OptionTable table = make_option_table<S>({
       metres("x", &S::x, -1e8, 1e8, "Easting of the sensor, from a receiver. Leave 0 where its marks are connected."),
       metres("y", &S::y, -1e8, 1e8, "Northing of the sensor."),
-      degrees("yaw", &S::yaw_deg, -360, 360,
-              "Angle from east to the x axis of the frame, towards north. 0 when y points north."),
+      in_degrees("yaw", &S::yaw_deg, -360, 360,
+                 "Angle from east to the x axis of the frame, towards north. 0 when y points north."),
   });
   return table;
 }

@@ -14,10 +14,10 @@
 namespace bole::rows {
 namespace {
 
-constexpr double bin_m = 0.1;     // of the profile
-constexpr double widest_m = 1e4;  // a field
-constexpr int iterations = 4;     // of median and window
-constexpr double keep = 0.7;      // of the drift of a row from piece to piece
+constexpr double bin_m = 0.1;           // of the profile
+constexpr double widest_field_m = 1e4;  // a field
+constexpr int iterations = 4;           // of median and window
+constexpr double keep = 0.7;            // of the drift of a row from piece to piece
 
 struct Profile {
   double first_m = 0;
@@ -230,7 +230,7 @@ Table hedge_rows(const PointCloud& canopy, const HedgeOptions& o, const Run& run
     if (!p.allFinite()) continue;
     if (points.empty()) origin = p;
     points.push_back(p - origin);
-    if (!(points.back().norm() < widest_m))
+    if (!(points.back().norm() < widest_field_m))
       throw bad_input(fmt::format("point {} lies {:.0f} m from the first", i, points.back().norm()),
                       "a field of less than 10 km", "Cut a region first");
   }

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "stems/core/fit/each_stem.h"
+#include "stems/core/tree/tree_axis.h"
 
 namespace bole::stems {
 namespace {
@@ -25,8 +26,7 @@ using Triangulation =
     CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 using AlphaShape = CGAL::Alpha_shape_2<Triangulation>;
 
-constexpr double voxel_m = 0.10, layer_m = 0.25, lowest_m = 1.0, branch_m = 0.30, reach_m = 0.5, tallest_m = 80,
-                 farthest_m = 1000;
+constexpr double voxel_m = 0.10, layer_m = 0.25, lowest_m = 1.0, branch_m = 0.30, reach_m = 0.5, farthest_m = 1000;
 constexpr int bearings = 8, min_bearings = 3, metre_of_layers = 4, min_layers = 3;
 
 // A point in the axes of its tree, in voxels: from the stem at breast height and above the ground.

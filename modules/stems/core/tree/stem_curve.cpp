@@ -15,7 +15,7 @@
 namespace bole::stems {
 namespace {
 
-constexpr double step_m = 0.5, half_thickness_m = 0.10, margin_m = 0.12, widest_gap_m = 2.0;
+constexpr double step_m = 0.5, half_thickness_m = 0.10, margin_m = 0.12, widest_curve_gap_m = 2.0;
 constexpr double sway = 0.10;  // metres per metre that a stem may leave its straight axis by
 
 // Where the axis is expected, and how thick the stem is there.
@@ -58,7 +58,7 @@ void follow(Stem& stem, const std::vector<Eigen::Vector3d>& near, const MeasureO
   const double cos_lean = stem.direction.z();
   Upwards up{highest->centre.head<2>(), stem.direction.head<2>() / cos_lean, highest->centre.z(), highest->radius,
              std::min(0.0, stem.taper)};
-  for (double z = up.z + step_m; z - up.z <= widest_gap_m; z += step_m) {
+  for (double z = up.z + step_m; z - up.z <= widest_curve_gap_m; z += step_m) {
     auto section = section_at(near, up, z, options);
     if (!section) continue;
     section->height = (z - stem.ground_z) / cos_lean;

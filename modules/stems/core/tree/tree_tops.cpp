@@ -10,7 +10,7 @@
 namespace bole::stems {
 namespace {
 
-constexpr double bin_m = 0.5, widest_gap_m = 3, tip_m = 1.0;
+constexpr double bin_m = 0.5, widest_empty_m = 3, tip_m = 1.0;
 constexpr double bare_stem_m = 5;  // what is lower is a stem without its crown
 constexpr double beyond_m = 1.5;   // above a top the sensor must reach this far
 // A straight edge of the cloud through the top leaves half of its surroundings empty, in cells a little less.
@@ -149,7 +149,7 @@ const Bin* top_bin(const Bins& bins) {
     if (bin.points >= min_bin_points) {
       top = &bin;
       gap = 0;
-    } else if ((gap += bin_m) > widest_gap_m && top) {
+    } else if ((gap += bin_m) > widest_empty_m && top) {
       break;
     }
   }

@@ -19,7 +19,7 @@ constexpr double ground_band_m = 0.15, shown_band_m = 0.5, view_height_m = 3, wi
 constexpr int sectors = 16, bins = 100;  // of the heights within the shown band, 1 cm each
 constexpr std::uint32_t min_sector_points = 5, min_pass_points = 30;
 constexpr double max_cells = 250e3;
-constexpr std::size_t check_every = std::size_t{1} << 20;
+constexpr std::size_t cells_between_checks = std::size_t{1} << 20;
 
 struct Box {
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
@@ -124,7 +124,7 @@ class Measuring {
     views_.resize(grid_.cells.size());
     all_.resize(grid_.cells.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-      if (i % check_every == 0) run_.check_cancel();
+      if (i % cells_between_checks == 0) run_.check_cancel();
       const Eigen::Vector2d p = points.position(i).head<2>();
       const auto c = grid_.index(p);
       if (!c) continue;
@@ -229,7 +229,7 @@ std::vector<float> heights_of(const CheckInputs& in, const Run& run) {
   if (in.dem == nullptr) return {};
   std::vector<float> heights(in.points->size());
   for (std::size_t i = 0; i < heights.size(); ++i) {
-    if (i % check_every == 0) run.check_cancel();
+    if (i % cells_between_checks == 0) run.check_cancel();
     const Eigen::Vector3d p = in.points->position(i);
     heights[i] = static_cast<float>(p.z() - in.dem->sample(p.x(), p.y()));
   }

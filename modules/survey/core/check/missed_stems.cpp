@@ -10,18 +10,18 @@
 namespace bole::survey {
 namespace {
 
-constexpr double low_m = 0.3, high_m = 5, max_lean = 20 * rad_per_deg;
+constexpr double stem_low_m = 0.3, stem_high_m = 5, max_lean = 20 * rad_per_deg;
 constexpr double slab_low_m = 1.0, slab_high_m = 1.6, slab_reach_m = 0.4, max_radius_m = 0.6;
 constexpr double explained_m = 0.35;  // beside the bark of a stem of the table: its fork, its branch, its other half
-constexpr std::size_t check_every = std::size_t{1} << 20, min_points = 40;
+constexpr std::size_t points_between_checks = std::size_t{1} << 20, min_points = 40;
 
 // The points of the region between two heights, with the height in the place of z, so that slopes do no harm.
 PointCloud standing_points(const CheckInputs& in, const CheckGrid& grid, const std::vector<float>& heights,
                            const Run& run) {
   PointCloud::Positions kept;
   for (std::size_t i = 0; i < heights.size(); ++i) {
-    if (i % check_every == 0) run.check_cancel();
-    if (!(heights[i] > low_m && heights[i] < high_m)) continue;
+    if (i % points_between_checks == 0) run.check_cancel();
+    if (!(heights[i] > stem_low_m && heights[i] < stem_high_m)) continue;
     const Eigen::Vector2d p = in.points->position(i).head<2>() - grid.centre;
     if (grid.index(p + grid.centre))
       kept.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), heights[i]);

@@ -20,7 +20,7 @@ struct FreeScale {
 };
 
 FreeScale free_scale(const ScaleQuestion& q, const PlanFit& fit) {
-  constexpr double alpha = 0.01;
+  constexpr double scale_alpha = 0.01;
   FreeScale free{fit.free_scale};
   if (!std::isfinite(fit.free_scale)) return free;
   double unit = 1, freedom = std::numeric_limits<double>::infinity();
@@ -32,7 +32,7 @@ FreeScale free_scale(const ScaleQuestion& q, const PlanFit& fit) {
     unit = std::max(std::sqrt(std::max(0.0, fit.chi2 - z * z) / freedom), min_sd_m / q.pairs[0].sd_m);
   }
   free.se = fit.free_scale_se * unit;
-  const double limit = std::sqrt(2 * f2_limit(alpha, freedom)) * free.se;
+  const double limit = std::sqrt(2 * f2_limit(scale_alpha, freedom)) * free.se;
   free.one_fits = std::abs(free.value - 1) <= limit;
   free.grid_fits = std::abs(free.value - q.grid) <= limit;
   return free;

@@ -79,10 +79,10 @@ class TrackAdjustment {
         ++with_height;
       }
     }
-    constexpr std::size_t min_fixes = 20;
-    if (pairs.size() < min_fixes)
+    constexpr std::size_t min_fixes_to_fit = 20;
+    if (pairs.size() < min_fixes_to_fit)
       throw bad_input(fmt::format("{} fixes of the track lie within the time of the walk", pairs.size()),
-                      fmt::format("at least {}", min_fixes), "Check the clocks, or set clock_offset");
+                      fmt::format("at least {}", min_fixes_to_fit), "Check the clocks, or set clock_offset");
     centre_ = sum / static_cast<double>(pairs.size());
     const auto fit = fit_plan(pairs);
     x_(turn) = fit.turn_rad;

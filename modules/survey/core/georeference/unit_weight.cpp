@@ -8,8 +8,6 @@
 namespace bole::survey {
 namespace {
 
-constexpr double normal_975 = 1.959964;
-
 // Of the sum of squares in chance, one in a thousand (Wilson and Hilferty 1931).
 double chi2_limit(int freedom) {
   constexpr double normal_999 = 3.0902;
@@ -25,10 +23,9 @@ UnitWeight unit_weight(double chi2, int redundancy, bool stated) {
     if (chi2 <= chi2_limit(redundancy)) return {};
     return {std::sqrt(chi2 / redundancy), true};
   }
-  if (redundancy >= min_own_freedom)
-    return {std::sqrt(chi2 / redundancy) * student_975(redundancy) / normal_975, false};
+  if (redundancy >= min_own_freedom) return {std::sqrt(chi2 / redundancy) * student_975(redundancy) / z_95, false};
   const double freedom = assumed_freedom + redundancy;
-  return {std::sqrt((assumed_freedom + chi2) / freedom) * student_975(freedom) / normal_975, false};
+  return {std::sqrt((assumed_freedom + chi2) / freedom) * student_975(freedom) / z_95, false};
 }
 
 double or_usual(double stated, const std::optional<double>& option, double usual) {

@@ -5,11 +5,11 @@
 #include <numbers>
 
 #include "base/no_number.h"
+#include "base/statistics.h"
 
 namespace bole::survey {
 namespace {
 
-constexpr double z_975 = 1.959964;
 constexpr double m2_per_cm2 = std::numbers::pi / 40000;  // of a basal area by the square of a diameter
 
 std::string id_of(const SurveyedStand& s, std::size_t i) {
@@ -41,7 +41,7 @@ class Rows {
     ++sums_.matched;
     sums_.growth_cm += growth;
     const double shared = std::pow(o_.shared_bias_cm, 2);
-    const auto own = [&](double half_cm) { return std::max(0.0, std::pow(half_cm / z_975, 2) - shared); };
+    const auto own = [&](double half_cm) { return std::max(0.0, std::pow(half_cm / z_95, 2) - shared); };
     const double own1 = own(a.half_cm[p.first]), own2 = own(b.half_cm[p.second]);
     sums_.variance_cm2 += own1 + own2;
     sums_.basal_first_m2 += m2_per_cm2 * t.dbh_cm * t.dbh_cm;
@@ -131,8 +131,8 @@ struct Values {
 
 // Wilson's 95 % interval of a share.
 std::pair<double, double> share_interval(double k, double n) {
-  const double z2 = z_975 * z_975, middle = (k + z2 / 2) / (n + z2),
-               half = z_975 / (n + z2) * std::sqrt(k * (n - k) / n + z2 / 4);
+  const double z2 = z_95 * z_95, middle = (k + z2 / 2) / (n + z2),
+               half = z_95 / (n + z2) * std::sqrt(k * (n - k) / n + z2 / 4);
   return {std::max(0.0, middle - half), std::min(1.0, middle + half)};
 }
 
@@ -156,11 +156,11 @@ Table value_table(const GrowthSums& s, const RevisitOptions& o, const std::optio
   const double shared = std::numbers::sqrt2 * o.shared_bias_cm;  // of the difference of two surveys
   v.add("trees_found_again", n, "");
   if (s.matched > 0) {
-    const double half = z_975 * std::hypot(std::sqrt(s.variance_cm2) / n, shared);
+    const double half = z_95 * std::hypot(std::sqrt(s.variance_cm2) / n, shared);
     v.add("mean_growth", s.mean_growth_cm(), "cm", half);
     if (years) v.add("mean_growth_per_year", s.mean_growth_cm() / *years, "cm/year", half / *years);
     const double basal = s.basal_second_m2 - s.basal_first_m2,
-                 basal_half = z_975 * std::hypot(std::sqrt(s.basal_variance_m4), s.basal_slope_m2_per_cm * shared);
+                 basal_half = z_95 * std::hypot(std::sqrt(s.basal_variance_m4), s.basal_slope_m2_per_cm * shared);
     v.add("basal_area_growth", basal, "m2", basal_half);
     if (years) v.add("basal_area_growth_per_year", basal / *years, "m2/year", basal_half / *years);
   }

@@ -10,6 +10,7 @@
 
 #include "base/angles.h"
 #include "base/no_number.h"
+#include "base/statistics.h"
 #include "cloud/known_facts.h"
 #include "cloud/stem_rows.h"
 #include "cloud/table_columns.h"
@@ -17,8 +18,6 @@
 
 namespace bole::survey {
 namespace {
-
-constexpr double z_975 = 1.959964;
 
 SurveyedStand stand_of(const Table& table, const Table* rejected, double assumed_se_cm, std::size_t& assumed) {
   SurveyedStand s{table, {}, {}, {}, {}, std::numeric_limits<double>::infinity()};
@@ -30,7 +29,7 @@ SurveyedStand stand_of(const Table& table, const Table* rejected, double assumed
     s.trees.push_back({{x[i], y[i]}, dbh[i]});
     const double half = (hi[i] - lo[i]) / 2;
     assumed += !(half > 0);
-    s.half_cm.push_back(half > 0 ? half : z_975 * assumed_se_cm);
+    s.half_cm.push_back(half > 0 ? half : z_95 * assumed_se_cm);
     if (dbh[i] < s.min_dbh_cm) s.min_dbh_cm = dbh[i];
   }
   if (rejected != nullptr) {

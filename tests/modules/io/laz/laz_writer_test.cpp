@@ -64,10 +64,10 @@ TEST(LazWriter, TheSameBytesAtAnyNumberOfThreads) {
   const auto cloud = made_cloud(230'000, false);
   for (const char* name : {"a.laz", "a.copc.laz"}) {
     write_cloud(dir / name, cloud);
-    const auto parallel = read_file(dir / name);
+    const auto parallel = file_text(dir / name);
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     write_cloud(dir / name, cloud);
-    EXPECT_TRUE(read_file(dir / name) == parallel) << name;
+    EXPECT_TRUE(file_text(dir / name) == parallel) << name;
   }
 }
 
