@@ -67,12 +67,10 @@ void add_file_commands(MainWindow& window) {
   auto* w = &window;
   const auto add = [&](const char* id, const QString& text, const QKeySequence& key, int section, const When& when,
                        const std::function<void()>& act) {
-    w->commands().add({.id = id,
-                       .text = text,
-                       .key = key,
-                       .places = {in_menu(Menu::file, section)},
-                       .act = act,
-                       .enabled_when = when});
+    std::vector<Place> places{in_menu(Menu::file, section)};
+    if (section <= save_section && std::string_view(id) != "document.save_as")
+      places.push_back(in_tool_bar("file_bar"));
+    w->commands().add({.id = id, .text = text, .key = key, .places = places, .act = act, .enabled_when = when});
   };
   add("document.open", MainWindow::tr("Open…"), QKeySequence::Open, open_section, {}, [w] { ask_and_open(w); });
   add("document.open_folder", MainWindow::tr("Open folder…"), QKeySequence("Ctrl+Shift+O"), open_section, {},

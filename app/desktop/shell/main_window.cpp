@@ -12,13 +12,13 @@
 #include <QMimeData>
 #include <QScreen>
 #include <QStatusBar>
-#include <QToolBar>
 #include <QVBoxLayout>
 #include <utility>
 
 #include "document/file_kinds.h"
 #include "document/new_document.h"
 #include "features/features.h"
+#include "look/focus_ring.h"
 #include "panels/pipeline_panel.h"
 #include "panels/properties_panel.h"
 #include "panels/table_panel.h"
@@ -27,6 +27,7 @@
 #include "shell/shell_commands.h"
 #include "shell/start_page.h"
 #include "shell/thumbnails.h"
+#include "shell/tool_bars.h"
 #include "views/chart_view.h"
 #include "views/profile_view.h"
 #include "views/scene_view.h"
@@ -45,6 +46,7 @@ MainWindow::MainWindow() {
   make_menus();
   show_start_page(*this);
   keep_thumbnails(*this);
+  new FocusRing(*this);
   commands().update();
 }
 
@@ -57,10 +59,7 @@ void MainWindow::make_menus() {
     commands().fill(*menus_[i], in_menu(which));
     menus_[i]->menuAction()->setVisible(!menus_[i]->isEmpty());
   }
-  auto* bar = addToolBar(tr("Run"));
-  bar->setObjectName("run_bar");
-  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  for (const auto& item : commands().items(in_tool_bar("run_bar"))) bar->addAction(item.entry->action);
+  make_tool_bars(*this);
 }
 
 void MainWindow::make_docks() {

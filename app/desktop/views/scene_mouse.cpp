@@ -152,6 +152,26 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
   if (!dragged_ && path_px_.empty()) QVTKOpenGLNativeWidget::mousePressEvent(event);
 }
 
+// What was clicked twice becomes the centre of rotation, and of the view.
+void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || place_taker_ != nullptr) return;
+  double_clicked_ = true;
+  auto* camera = renderer_->GetActiveCamera();
+  Eigen::Vector3d place;
+  if (const auto point = point_at(event->pos()))
+    place = survey_.points->position(*point) - origin_;
+  else if (const auto stem = render::pick_stem(pick_view(), shapes_, to_pixels(event->pos()), 0))
+    place = stem_place_of(stem->tree_id) - origin_;
+  else
+    return;
+  const Eigen::Vector3d shift = place - Eigen::Vector3d(camera->GetFocalPoint());
+  const Eigen::Vector3d eye = Eigen::Vector3d(camera->GetPosition()) + shift;
+  camera->SetFocalPoint(place.data());
+  camera->SetPosition(eye.data());
+  begin_motion();
+  redraw();
+}
+
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
   if (!path_px_.empty()) {
     const Eigen::Vector2d at = to_pixels(event->pos());
@@ -180,9 +200,10 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     return;
   }
   QVTKOpenGLNativeWidget::mouseReleaseEvent(event);
-  const bool click = event->button() == Qt::LeftButton && (has_survey() || !cameras().empty()) &&
-                     (event->pos() - pressed_at_).manhattanLength() <= click_px;
-  if (!click) return;
+  const bool still = (event->pos() - pressed_at_).manhattanLength() <= click_px;
+  if (still && event->button() == Qt::RightButton) Q_EMIT menu_asked(mapToGlobal(event->pos()));
+  if (!still || event->button() != Qt::LeftButton || (!has_survey() && cameras().empty())) return;
+  if (std::exchange(double_clicked_, false)) return;
   if (place_taker_ != nullptr) return take_place(event->pos());
   if (!click_drawing(event->pos())) pick(event->pos());
 }

@@ -482,6 +482,15 @@ void SceneView::zoom_to_tree(std::int64_t id) {
   if (it != shapes_.end()) zoom_to(it->breast_height);
 }
 
+Eigen::Vector3d SceneView::centre() const {
+  return Eigen::Vector3d(renderer_->GetActiveCamera()->GetFocalPoint()) + origin_;
+}
+
+Eigen::Vector3d SceneView::stem_place_of(std::int64_t tree) const {
+  const auto it = std::ranges::find(shapes_, tree, &render::StemShape::tree_id);
+  return it == shapes_.end() ? centre() : it->breast_height;
+}
+
 void SceneView::zoom_to(const Eigen::Vector3d& place) {
   approach(renderer_->GetActiveCamera(), place - origin_, approach_m);
   redraw();

@@ -70,6 +70,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   bool parallel() const;
   void zoom_to_tree(std::int64_t id);
   void zoom_to(const Eigen::Vector3d& place);
+  Eigen::Vector3d centre() const;  // of rotation, world coordinates
 
   // The point under a place of the widget; selects its tree, or the stem there.
   void pick(const QPoint& at);
@@ -110,7 +111,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void place_taker_changed(const QObject* taker);
   void drawing_clicked(const QString& layer, int drawing);
   void grip_dragged(const QString& layer, int drawing, int grip, const Eigen::Vector3d& at, bool released);
-  void settings_changed();  // by the view: handles of the clip box, another survey
+  void menu_asked(const QPoint& global);  // by a right click
+  void settings_changed();                // by the view: handles of the clip box, another survey
   void index_built();
   void eye_moved();  // or the size of the view changed; after the frame that showed it
 
@@ -120,6 +122,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 
  private:
@@ -146,6 +149,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::optional<Grip> grip_at(const QPoint& at);
   bool click_drawing(const QPoint& at);
   void take_place(const QPoint& at);
+  Eigen::Vector3d stem_place_of(std::int64_t tree) const;  // at breast height; the centre when it is not drawn
   void draw_outline();
   void take_outline();
   SceneOutline outline_drawn();
@@ -183,6 +187,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   FramePace pace_;
   std::chrono::steady_clock::time_point frame_start_;
   QPoint pressed_at_;
+  bool double_clicked_ = false;  // the release that follows picks nothing
   std::optional<Grip> dragged_;
 };
 
