@@ -70,6 +70,7 @@ void MainWindow::make_docks() {
   connect(filter, &QLineEdit::textChanged, this, [this](const QString& text) {
     if (const QString problem = stems().filter(text); !problem.isEmpty()) statusBar()->showMessage(problem, 10000);
   });
+  connect(this, &Workbench::document_opened, filter, &QLineEdit::clear);
   auto* layout = new QVBoxLayout(table);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
@@ -78,7 +79,11 @@ void MainWindow::make_docks() {
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);  // forms are tall
   docks().add("pipeline", tr("Pipeline"), &pipeline(), Qt::LeftDockWidgetArea);
   docks().add("options", tr("Options"), &properties(), Qt::LeftDockWidgetArea);
-  docks().add("stems", tr("Stems"), table, Qt::BottomDockWidgetArea);
+  // Behind another tab it would go on taking the keys.
+  connect(docks().add("stems", tr("Stems"), table, Qt::BottomDockWidgetArea), &QDockWidget::visibilityChanged, filter,
+          [filter](bool on) {
+            if (!on) filter->clearFocus();
+          });
   auto* below = docks().add("chart", tr("Chart"), &chart(), Qt::BottomDockWidgetArea);
   docks().add("log", tr("Log"), &log(), Qt::LeftDockWidgetArea);
   docks().add("slice", tr("Slice"), &slice(), Qt::RightDockWidgetArea);

@@ -12,7 +12,7 @@
 namespace bole::desktop {
 namespace {
 
-constexpr double pick_reach_px = 6, click_px = 4, grip_px = 9, line_px = 5;
+constexpr double pick_reach_px = 6, click_px = 4, grip_px = 9, line_px = 5, behind_m = 0.5;
 constexpr double outline_step_px = 2, outline_tolerance_px = 1;
 const std::string outline_layer = "outline";
 
@@ -64,8 +64,16 @@ void SceneView::set_place_taker(const QObject* taker, Takes takes) {
   Q_EMIT place_taker_changed(taker);
 }
 
+// A stem is opaque: what is seen there is its bark.
+bool SceneView::behind_a_stem(std::uint32_t point, const QPoint& at) {
+  const auto view = pick_view();
+  const auto stem = render::pick_stem(view, shapes_, to_pixels(at), 0);
+  const auto place = render::on_screen(view, survey_.points->position(point));
+  return stem && place && place->depth > stem->depth + behind_m;
+}
+
 void SceneView::take_place(const QPoint& at) {
-  if (const auto point = point_at(at)) {
+  if (const auto point = point_at(at); point && !behind_a_stem(*point, at)) {
     Q_EMIT place_taken(exact_position(*survey_.points, *point), *point);
   } else if (const auto ground = render::on_plane(pick_view(), to_pixels(at), whole().lo.z())) {
     Q_EMIT place_taken(*ground, QVariant());

@@ -226,6 +226,17 @@ void SceneView::measure_extent() {
   extent_known_ = whole_.lo.allFinite() && whole_.hi.allFinite();
 }
 
+render::ClipBox SceneView::everything() const {
+  if (!survey_.points || survey_.points->empty()) return whole_;
+  Eigen::Vector3f lo = survey_.points->positions().front(), hi = lo;
+  for (const auto& p : survey_.points->positions())
+    if (p.allFinite()) {
+      lo = lo.cwiseMin(p);
+      hi = hi.cwiseMax(p);
+    }
+  return {survey_.points->origin + lo.cast<double>(), survey_.points->origin + hi.cast<double>()};
+}
+
 int SceneView::actor_count() {
   return renderer_->GetActors()->GetNumberOfItems() - static_cast<int>(layer_.actors()) +
          (survey_.points && !survey_.points->empty() ? 1 : 0);
@@ -438,7 +449,7 @@ void SceneView::place_furniture() {
   f.north = settings_.north && (axes == Axes::plot || axes == Axes::global);
   for (const auto& fact : facts_) f.notes.push_back(fact.toStdString());
   const auto view = pick_view();
-  const double mm = mm_per_px / devicePixelRatioF();
+  const double mm = f.width_mm / std::max(1, renderWindow()->GetSize()[0]);  // a picture may have more pixels
   SceneDrawing mark;
   if (picked_ && survey_.points && *picked_ < survey_.points->size()) mark.marks = {survey_.points->position(*picked_)};
   add_to(f, mark, view, mm);

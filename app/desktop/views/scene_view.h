@@ -26,8 +26,10 @@
 #include "views/frame_pace.h"
 #include "views/scene_drawing.h"
 #include "views/scene_outline.h"
+#include "views/view_point.h"
 #include "views/view_settings.h"
 
+class QImage;
 class vtkActor;
 
 namespace bole::desktop {
@@ -59,6 +61,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   const render::PointPaint& paint() const { return layer_.paint(); }
   void set_filter(const render::PointFilter& filter);
   const render::ClipBox& whole() const { return whole_; }       // around the cloud but its strays
+  render::ClipBox everything() const;                           // around every point; looks at each
   const render::Interval& heights() const { return heights_; }  // above ground, or z, of the cloud but its strays
   void show_clip_handles(bool on);
   bool clip_handles_shown() const;
@@ -96,6 +99,12 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void show_rendering(const ColorImage& picture);
   void hide_rendering();
   bool rendering_shown() const { return rendering_; }
+
+  // As it is seen, `width_px` wide; the height follows from the shape of the view. Throws bole::Error for a size that
+  // cannot be drawn.
+  QImage picture(int width_px, bool transparent);
+  ViewPoint view_point() const;
+  void set_view_point(const ViewPoint& point);
 
   int actor_count();  // of things that are shown, the cloud as one
   std::size_t drawn_points() const { return layer_.drawn(); }
@@ -148,6 +157,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::optional<std::uint32_t> point_at(const QPoint& at);
   std::optional<Grip> grip_at(const QPoint& at);
   bool click_drawing(const QPoint& at);
+  bool behind_a_stem(std::uint32_t point, const QPoint& at);
   void take_place(const QPoint& at);
   Eigen::Vector3d stem_place_of(std::int64_t tree) const;  // at breast height; the centre when it is not drawn
   void draw_outline();

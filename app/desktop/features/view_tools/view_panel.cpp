@@ -185,7 +185,7 @@ void ViewPanel::set_clip(bool on) {
 }
 
 void ViewPanel::reset_clip() {
-  change([&](auto& s) { s.clip = scene_.whole(); });
+  change([&](auto& s) { s.clip = scene_.everything(); });
   scene_.show_clip_handles(true);
   show_state();
 }

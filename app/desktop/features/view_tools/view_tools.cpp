@@ -2,6 +2,8 @@
 #include <QMenu>
 #include <algorithm>
 
+#include "features/view_tools/bookmarks.h"
+#include "features/view_tools/export_image.h"
 #include "features/view_tools/view_panel.h"
 #include "views/scene_view.h"
 #include "workbench/workbench.h"
@@ -107,6 +109,8 @@ void install_view_tools(Workbench& bench) {
   QObject::connect(&bench.scene(), &SceneView::menu_asked, b,
                    [b](const QPoint& global) { b->commands().show_menu("scene", global); });
   add_look_commands(bench, panel);
+  new Bookmarks(bench);
+  add_image_export(bench);
 }
 
 }  // namespace bole::desktop
