@@ -177,6 +177,7 @@ def main():
     words.add_argument("--work", required=True, type=pathlib.Path)
     words.add_argument("--pipeline", required=True, type=pathlib.Path)
     words.add_argument("--scan", type=pathlib.Path, help="a simulated plot that is there already")
+    words.add_argument("--cache", type=pathlib.Path, help="stages that another run on this plot stored")
     words.add_argument("--set", action="append", default=[])
     options = words.parse_args()
     options.work.mkdir(parents=True, exist_ok=True)
@@ -192,7 +193,8 @@ def main():
     out = options.work / "survey"
     settings = [f"scan.file={scan}/walk.pcap", f"georeference.file={control}", f"georeference.crs=EPSG:{EPSG}",
                 "plot.width=16", "plot.length=16", "report.figures=false", *options.set]
-    run([options.bole, "run", options.pipeline, "--out", out, "--set", "report.cloud_format=las", *[w for s in settings for w in ("--set", s)]])
+    stored = ["--cache", options.cache] if options.cache else []
+    run([options.bole, "run", options.pipeline, "--out", out, *stored, "--set", "report.cloud_format=las", *[w for s in settings for w in ("--set", s)]])
 
     check = Check()
     stems = check_stems(check, out, rows(scan / "trees.csv"))

@@ -81,6 +81,7 @@ def main():
     parser.add_argument("--expect", action="append", default=[])
     parser.add_argument("--report-numbers", action="store_true", help="every number of report.html must be in summary.json")
     parser.add_argument("--table", action="append", default=[], help="{scan} is the folder of --simulate, {source} that of the repository, {real} that of the real files")
+    parser.add_argument("--keep", action="store_true", help="scan, results and stored stages (WORK/cache) stay for the tests that follow")
     parser.add_argument("--needs", type=pathlib.Path, help="a real file; the case is skipped where it is absent")
     args = parser.parse_args()
 
@@ -91,7 +92,7 @@ def main():
     scan = args.work / "scan"
     if args.simulate:
         run([args.bole, args.simulator, *args.simulate, "--out", scan])
-    command = [args.bole, "run", args.pipeline, "--out", args.work / "out", "--no-cache"]
+    command = [args.bole, "run", args.pipeline, "--out", args.work / "out", *(["--cache", args.work / "cache"] if args.keep else ["--no-cache"])]
     for assignment in args.set:
         command += ["--set", assignment.replace("{scan}", str(scan))]
     run(command)
@@ -99,7 +100,7 @@ def main():
     good = [check(summary, e) for e in args.expect] + [check_table(t, args.work / "out", scan) for t in args.table]
     if args.report_numbers:
         good.append(report_numbers.passes(args.work / "out"))
-    if all(good):
+    if all(good) and not args.keep:
         shutil.rmtree(args.work, ignore_errors=True)  # recordings are large; a failed case keeps its own
     return 0 if all(good) else 1
 

@@ -37,41 +37,18 @@ PlacedFrame placed_frame(const ScanFrame& frame, std::size_t index, const Trajec
   return out;
 }
 
-FrameReader::FrameReader(QObject* parent) : QObject(parent) {}
-
-FrameReader::~FrameReader() { open(nullptr); }
+FrameReader::FrameReader(QObject* parent) : QObject(parent), wishes_(this) {}
 
 void FrameReader::open(const pipeline::StageNode* node) {
-  if (thread_.joinable()) {
-    thread_.request_stop();
-    thread_.join();
-  }
-  ++opened_count_;
-  {
-    const std::lock_guard lock(mutex_);
-    wish_.reset();
-  }
-  if (node) thread_ = std::jthread([this, copy = *node](const std::stop_token& stop) { work(stop, copy); });
+  if (!node) return wishes_.stop();
+  wishes_.start([this, copy = *node](const std::stop_token& stop, const auto& answer) { work(stop, copy, answer); });
 }
 
 void FrameReader::ask(std::size_t index, std::shared_ptr<const Trajectory> path) {
-  {
-    const std::lock_guard lock(mutex_);
-    wish_ = Wish{index, std::move(path)};
-  }
-  asked_.notify_one();
+  wishes_.ask({index, std::move(path)});
 }
 
-void FrameReader::work(const std::stop_token& stop, const pipeline::StageNode& node) {
-  const int count = opened_count_;
-  const auto answer = [this, count](auto tell) {
-    QMetaObject::invokeMethod(
-        this,
-        [this, count, tell = std::move(tell)] {
-          if (count == opened_count_) tell();
-        },
-        Qt::QueuedConnection);
-  };
+void FrameReader::work(const std::stop_token& stop, const pipeline::StageNode& node, const Answer& answer) {
   try {
     Run run;
     run.cancel = stop;
@@ -82,16 +59,12 @@ void FrameReader::work(const std::stop_token& stop, const pipeline::StageNode& n
     answer([this, times_s] { Q_EMIT opened(times_s); });
     ScanFrame frame;
     while (!stop.stop_requested()) {
-      Wish wish;
-      {
-        std::unique_lock lock(mutex_);
-        if (!asked_.wait(lock, stop, [&] { return wish_.has_value(); })) return;
-        wish = *std::exchange(wish_, {});
-      }
-      if (wish.index >= source->size()) continue;
+      const auto wish = wishes_.next(stop);
+      if (!wish) return;
+      if (wish->index >= source->size()) continue;
       try {
-        source->read(wish.index, frame);
-        answer([this, placed = placed_frame(frame, wish.index, wish.path.get())] { Q_EMIT frame_read(placed); });
+        source->read(wish->index, frame);
+        answer([this, placed = placed_frame(frame, wish->index, wish->path.get())] { Q_EMIT frame_read(placed); });
       } catch (const Error& e) {
         answer([this, text = QString::fromUtf8(e.what())] { Q_EMIT failed(text); });
       }

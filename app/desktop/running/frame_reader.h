@@ -2,14 +2,12 @@
 #pragma once
 
 #include <QObject>
-#include <condition_variable>
-#include <mutex>
-#include <optional>
-#include <thread>
+#include <memory>
 
 #include "cloud/scan_frame.h"
 #include "cloud/trajectory.h"
 #include "pipeline/document.h"
+#include "running/last_wish.h"
 
 namespace bole::desktop {
 
@@ -30,7 +28,6 @@ class FrameReader : public QObject {
 
  public:
   explicit FrameReader(QObject* parent);
-  ~FrameReader() override;
 
   // The stage that opens the scan; nullptr: no scan. Answers with opened() or failed().
   void open(const pipeline::StageNode* node);
@@ -46,13 +43,10 @@ class FrameReader : public QObject {
     std::size_t index = 0;
     std::shared_ptr<const Trajectory> path;
   };
-  void work(const std::stop_token& stop, const pipeline::StageNode& node);
+  using Answer = LastWish<Wish>::Answer;
+  void work(const std::stop_token& stop, const pipeline::StageNode& node, const Answer& answer);
 
-  std::mutex mutex_;
-  std::condition_variable_any asked_;
-  std::optional<Wish> wish_;
-  int opened_count_ = 0;  // answers of a scan that was closed are dropped
-  std::jthread thread_;
+  LastWish<Wish> wishes_;
 };
 
 }  // namespace bole::desktop

@@ -30,42 +30,16 @@ Picture read_picture(const ViewSource& views, const PictureWish& wish, double sp
   return out;
 }
 
-PictureReader::PictureReader(QObject* parent) : QObject(parent) {}
-
-PictureReader::~PictureReader() { open(nullptr); }
+PictureReader::PictureReader(QObject* parent) : QObject(parent), wishes_(this) {}
 
 void PictureReader::open(const pipeline::StageNode* node) {
-  if (thread_.joinable()) {
-    thread_.request_stop();
-    thread_.join();
-  }
-  ++opened_count_;
-  {
-    const std::lock_guard lock(mutex_);
-    wish_.reset();
-  }
-  if (node)
-    thread_ = std::jthread(
-        [this, copy = *node, count = opened_count_](const std::stop_token& stop) { work(stop, copy, count); });
+  if (!node) return wishes_.stop();
+  wishes_.start([this, copy = *node](const std::stop_token& stop, const auto& answer) { work(stop, copy, answer); });
 }
 
-void PictureReader::ask(PictureWish wish) {
-  {
-    const std::lock_guard lock(mutex_);
-    wish_ = std::move(wish);
-  }
-  asked_.notify_one();
-}
+void PictureReader::ask(PictureWish wish) { wishes_.ask(std::move(wish)); }
 
-void PictureReader::work(const std::stop_token& stop, const pipeline::StageNode& node, int count) {
-  const auto answer = [this, count](auto tell) {
-    QMetaObject::invokeMethod(
-        this,
-        [this, count, tell = std::move(tell)] {
-          if (count == opened_count_) tell();
-        },
-        Qt::QueuedConnection);
-  };
+void PictureReader::work(const std::stop_token& stop, const pipeline::StageNode& node, const Answer& answer) {
   try {
     Run run;
     run.cancel = stop;
@@ -78,19 +52,15 @@ void PictureReader::work(const std::stop_token& stop, const pipeline::StageNode&
     std::shared_ptr<const PointCloud> cloud;  // that `spacing_m` is of
     double spacing_m = 0;
     while (!stop.stop_requested()) {
-      PictureWish wish;
-      {
-        std::unique_lock lock(mutex_);
-        if (!asked_.wait(lock, stop, [&] { return wish_.has_value(); })) return;
-        wish = *std::exchange(wish_, {});
-      }
-      if (wish.index >= views->size()) continue;
+      const auto wish = wishes_.next(stop);
+      if (!wish) return;
+      if (wish->index >= views->size()) continue;
       try {
-        if (wish.cloud && wish.cloud != cloud) {
-          spacing_m = render::point_spacing_m(*wish.cloud, run);
-          cloud = wish.cloud;
+        if (wish->cloud && wish->cloud != cloud) {
+          spacing_m = render::point_spacing_m(*wish->cloud, run);
+          cloud = wish->cloud;
         }
-        const auto picture = std::make_shared<const Picture>(read_picture(*views, wish, spacing_m, run));
+        const auto picture = std::make_shared<const Picture>(read_picture(*views, *wish, spacing_m, run));
         answer([this, picture] { Q_EMIT picture_read(picture); });
       } catch (const Error& e) {
         if (e.kind() == ErrorKind::cancelled) return;

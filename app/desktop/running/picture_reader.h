@@ -2,15 +2,13 @@
 #pragma once
 
 #include <QObject>
-#include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
 
 #include "cloud/core/view_source.h"
 #include "pipeline/document.h"
 #include "render/scene/seen_points.h"
+#include "running/last_wish.h"
 
 namespace bole::desktop {
 
@@ -42,7 +40,6 @@ class PictureReader : public QObject {
 
  public:
   explicit PictureReader(QObject* parent);
-  ~PictureReader() override;
 
   // The stage that opens the views; nullptr: no views. Answers with opened() or failed().
   void open(const pipeline::StageNode* node);
@@ -54,13 +51,10 @@ class PictureReader : public QObject {
   void picture_read(const std::shared_ptr<const bole::desktop::Picture>& picture);
 
  private:
-  void work(const std::stop_token& stop, const pipeline::StageNode& node, int count);
+  using Answer = LastWish<PictureWish>::Answer;
+  void work(const std::stop_token& stop, const pipeline::StageNode& node, const Answer& answer);
 
-  std::mutex mutex_;
-  std::condition_variable_any asked_;
-  std::optional<PictureWish> wish_;
-  int opened_count_ = 0;  // answers of views that were closed are dropped
-  std::jthread thread_;
+  LastWish<PictureWish> wishes_;
 };
 
 }  // namespace bole::desktop

@@ -16,21 +16,6 @@ using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 
-struct Opened {
-  std::shared_ptr<const ViewSource> views;
-  Report report;
-};
-
-Opened opened(const fs::path& folder, const ReadViewsOptions& options = {}) {
-  Opened out;
-  out.views = open_views(folder, options, {}, out.report);
-  return out;
-}
-
-std::string refusal(const fs::path& folder, const ReadViewsOptions& options = {}) {
-  return error_of([&] { open_views(folder, options); });
-}
-
 TEST(BoleViews, AFolderIsReadWithDepthPosesAndTimes) {
   const TempDir dir;
   write_view_folder(dir.path(), 5);

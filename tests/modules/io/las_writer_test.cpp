@@ -29,14 +29,14 @@ class LasWriter : public testing::Test {
   std::filesystem::path folder_;
 };
 
-std::vector<std::uint8_t> bytes_of(const std::filesystem::path& path) {
+std::vector<std::uint8_t> file_bytes(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
 // The point records of a LAS file without its header.
 std::vector<std::uint8_t> records_of(const std::filesystem::path& path) {
-  const auto bytes = bytes_of(path);
+  const auto bytes = file_bytes(path);
   return {bytes.begin() + las::load<std::uint32_t>(&bytes[96]), bytes.end()};
 }
 
@@ -127,7 +127,7 @@ TEST_F(LasWriter, GridOfTheSourceIsKeptToTheLastStep) {
   EXPECT_EQ(info.points, 3000U);
   EXPECT_EQ(info.point_format, 7);
   EXPECT_EQ(info.version_minor, 4);
-  const auto bytes = bytes_of(path());
+  const auto bytes = file_bytes(path());
   for (std::size_t i = 0; i < file.points; ++i) {
     const std::uint8_t* written = &bytes[info.data_offset + i * static_cast<std::size_t>(info.record_length)];
     const std::uint8_t* original = &file.records[i * file.stride()];
@@ -189,7 +189,7 @@ TEST_F(LasWriter, DamagedFactsAreLeftOutWithAWarning) {
   cloud.facts = {{"range_noise_m", "0.005"}, {"sensor", "Dome-64"}};
   write_las(path(), cloud);
   const auto vlr = *las::find_vlr(las_info(path()), las::facts_user, las::facts_record);
-  const auto whole = bytes_of(path());
+  const auto whole = file_bytes(path());
   const auto read_with = [&](std::size_t at, char c, Report& report) {
     auto bytes = whole;
     bytes[vlr.offset + at] = static_cast<std::uint8_t>(c);

@@ -9,14 +9,14 @@
 
 #include "base/error.h"
 #include "io/core/tables/nmea_reader.h"
+#include "io_test_tools.h"
 #include "real_data.h"
 
 namespace bole::io {
 namespace {
 
 using ::testing::HasSubstr;
-
-Bytes bytes_of(const std::string& text) { return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}; }
+using testing_io::bytes_of;
 
 std::string sentence(const std::string& body) {
   unsigned sum = 0;

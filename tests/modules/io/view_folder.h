@@ -7,6 +7,7 @@
 #include "base/verdict.h"
 #include "io/core/tables/trajectory_file.h"
 #include "io/core/views/camera_file.h"
+#include "io/core/views/open_views.h"
 #include "io/core/views/view_files.h"
 #include "io_test_tools.h"
 
@@ -76,6 +77,21 @@ inline std::string finding_text(const Report& report, const std::string& code) {
   for (const auto& f : report.findings)
     if (f.code == code) return f.text;
   return "no finding " + code;
+}
+
+struct Opened {
+  std::shared_ptr<const ViewSource> views;
+  Report report;
+};
+
+inline Opened opened(const std::filesystem::path& folder, const ReadViewsOptions& options = {}) {
+  Opened out;
+  out.views = open_views(folder, options, {}, out.report);
+  return out;
+}
+
+inline std::string refusal(const std::filesystem::path& folder, const ReadViewsOptions& options = {}) {
+  return error_of([&] { open_views(folder, options); });
 }
 
 }  // namespace bole::testing_io

@@ -17,21 +17,6 @@ using testing::HasSubstr;
 
 namespace fs = std::filesystem;
 
-struct Opened {
-  std::shared_ptr<const ViewSource> views;
-  Report report;
-};
-
-Opened opened(const fs::path& folder, const ReadViewsOptions& options = {}) {
-  Opened out;
-  out.views = open_views(folder, options, {}, out.report);
-  return out;
-}
-
-std::string refusal(const fs::path& folder, const ReadViewsOptions& options = {}) {
-  return error_of([&] { open_views(folder, options); });
-}
-
 std::string layout_of(const fs::path& path) {
   const auto* row = find_layout(path);
   return row == nullptr ? "none" : std::string(choice_name(row->layout));
