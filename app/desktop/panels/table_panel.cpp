@@ -235,7 +235,7 @@ std::vector<std::int64_t> TablePanel::selected_trees() const {
   std::vector<std::int64_t> trees;
   if (model_.table() == nullptr || !model_.table()->has("tree_id")) return trees;
   auto rows = selectionModel()->selectedRows();
-  std::ranges::sort(rows, {}, &QModelIndex::row);
+  std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.row() < b.row(); });
   const auto ids = model_.table()->integers("tree_id");
   for (const auto& index : rows) trees.push_back(ids[static_cast<std::size_t>(rows_->mapToSource(index).row())]);
   return trees;
@@ -268,7 +268,7 @@ QString TablePanel::selected_text() const {
   };
   line([&](int column) { return model_.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString(); });
   auto rows = selectionModel()->selectedRows();
-  std::ranges::sort(rows, {}, &QModelIndex::row);
+  std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.row() < b.row(); });
   for (const auto& row : rows)
     line([&](int column) { return row.siblingAtColumn(column).data(Qt::UserRole).toString().simplified(); });
   return lines.join('\n') + '\n';
