@@ -1,6 +1,7 @@
 // The first minutes with the window: start page, what was opened, the next step, commands found by letters, icons,
 // focus, room on a small screen, and the stem table.
 #include <QClipboard>
+#include <QDockWidget>
 #include <QFile>
 #include <QHeaderView>
 #include <QLabel>
@@ -39,6 +40,17 @@ namespace bole::desktop {
 namespace {
 
 double slice_height(Session& session) { return std::get<double>(session.document().at("slice").options.get("height")); }
+
+QStringList room_of_docks(MainWindow& window) {
+  QStringList list;
+  for (auto* dock : window.docks().all())
+    if (dock->isVisible())
+      list << QString("%1 %2 x %3")
+                  .arg(dock->objectName())
+                  .arg(dock->minimumSizeHint().width())
+                  .arg(dock->minimumSizeHint().height());
+  return list;
+}
 
 std::string state_of(MainWindow& window, std::int64_t tree) {
   const auto& survey = window.runner().survey();
@@ -119,6 +131,7 @@ class FirstTest : public QObject {
       lost.open(at("plot.json"));
       lost.set_option("slice", "height", 1.9);
     }
+    QSettings().setValue("unsaved_documents", QVariantMap{{at("plot.json"), 1}});
     QVERIFY(unsaved_documents().isEmpty());  // of a program that runs
     QSettings().setValue("unsaved_documents", QVariantMap{{at("plot.json"), -1}, {at("gone.json"), -1}});
     QCOMPARE(unsaved_documents(), QStringList{at("plot.json")});
@@ -217,7 +230,11 @@ class FirstTest : public QObject {
         window.resize(1280, 720);
         const QSize needed = window.minimumSizeHint();
         QVERIFY2(needed.width() <= 1280 && needed.height() <= 690,
-                 qPrintable(QString("%1 needs %2 x %3").arg(mode.id).arg(needed.width()).arg(needed.height())));
+                 qPrintable(QString("%1 needs %2 x %3: %4")
+                                .arg(mode.id)
+                                .arg(needed.width())
+                                .arg(needed.height())
+                                .arg(room_of_docks(window).join(", "))));
       }
     }
     install_language(*QCoreApplication::instance(), "en");
@@ -273,6 +290,7 @@ class FirstTest : public QObject {
     const int before = window.session().undo_stack().count();
     window.commands().trigger("stem.reject");
     QCOMPARE(window.session().undo_stack().count(), before + 1);
+    QCOMPARE(window.session().undo_stack().undoText(), QString("reject stem (3)"));
     QVERIFY(wait_for_run(window));
     for (const auto tree : trees) QCOMPARE(state_of(window, tree), std::string("rejected"));
     QCOMPARE(table.selected_trees(), trees);  // still chosen
@@ -399,11 +417,13 @@ class FirstTest : public QObject {
 }  // namespace bole::desktop
 
 int run_fuzz_test(int argc, char** argv);
+int run_view_tools_test(int argc, char** argv);
 
 int main(int argc, char** argv) {
   bole::desktop::TestApplication application(argc, argv);
   bole::desktop::install_language(application.qt(), "en");
   if (argc > 1 && QByteArray(argv[1]) == "--fuzz") return run_fuzz_test(argc - 1, argv + 1);
+  if (argc > 1 && QByteArray(argv[1]) == "--view-tools") return run_view_tools_test(argc - 1, argv + 1);
   bole::desktop::FirstTest test;
   return QTest::qExec(&test, argc, argv);
 }

@@ -1,6 +1,6 @@
-// Random commands over a document: desktop_first_tests --fuzz. BOLE_FUZZ_ACTIONS (300) commands of the registry that
-// are enabled at the time, chosen with BOLE_FUZZ_SEED (1); dialogs and menus are answered. No crash, no edit that a
-// crash would lose, no command that keeps the window busy.
+// Random commands over three documents: desktop_first_tests --fuzz. BOLE_FUZZ_ACTIONS (150) commands of the registry
+// that are enabled at the time, for each, chosen with BOLE_FUZZ_SEED (1); dialogs and menus are answered. No crash, no
+// edit that a crash would lose, no command that keeps the window busy.
 #include <QDialog>
 #include <QMenu>
 #include <QMessageBox>
@@ -47,23 +47,31 @@ class FuzzTest : public QObject {
   Q_OBJECT
 
  private Q_SLOTS:
+  void random_commands_data() {
+    QTest::addColumn<QString>("document");
+    for (const char* document : {"plot.json", "rows.json", "placed.json"}) QTest::newRow(document) << QString(document);
+  }
+
   void random_commands() {
+    QFETCH(QString, document);
     const QTemporaryDir folder;
     write_cloud(folder.filePath("cloud.xyz").toStdString());
     write_pipeline(folder.filePath("plot.json").toStdString());
+    write_rows_pipeline(folder.filePath("rows.json").toStdString());
+    write_placed_pipeline(folder.filePath("placed.json").toStdString());
     random_.seed(static_cast<unsigned>(number_from("BOLE_FUZZ_SEED", 1)));
     MainWindow window;
     window_ = &window;
     window.resize(1280, 720);
     window.show();
     QVERIFY(QTest::qWaitForWindowExposed(&window));
-    window.open(folder.filePath("plot.json"));
+    window.open(folder.filePath(document));
     window.refresh();
     QVERIFY(wait_for_run(window));
     QTimer answers;
     connect(&answers, &QTimer::timeout, this, &FuzzTest::answer_all);
     answers.start(5);
-    const int actions = number_from("BOLE_FUZZ_ACTIONS", 300);
+    const int actions = number_from("BOLE_FUZZ_ACTIONS", 150);
     std::map<QString, int> tried;
     double worst_s = 0;
     QString worst;
@@ -90,7 +98,7 @@ class FuzzTest : public QObject {
     undo_and_redo_give_the_same();
     qInfo("%d actions with %d commands; busiest: %s, %.3f s of this thread", actions, static_cast<int>(tried.size()),
           qPrintable(worst), worst_s);
-    QVERIFY(actions < 300 || tried.size() > 40);
+    QVERIFY(actions < 150 || tried.size() > 40);
     answers.stop();
     window.session().discard_recovery();
     window.runner().cancel_all();

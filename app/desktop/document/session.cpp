@@ -15,8 +15,10 @@ SignedCommand::SignedCommand(const QString& text) : QUndoCommand(text), note_{pe
 class EditOption : public SignedCommand {
  public:
   EditOption(Session& session, std::string stage, std::string option, OptionValue before, OptionValue after,
-             bool given_before)
-      : SignedCommand(QObject::tr("%1: %2").arg(QString::fromStdString(stage), QString::fromStdString(option))),
+             bool given_before, const QString& what)
+      : SignedCommand(what.isEmpty()
+                          ? QObject::tr("%1: %2").arg(QString::fromStdString(stage), QString::fromStdString(option))
+                          : what),
         session_(session),
         stage_(std::move(stage)),
         option_(std::move(option)),
@@ -135,13 +137,14 @@ void Session::save(const QString& path) {
   undo_.setClean();
 }
 
-void Session::set_option(const std::string& stage_id, const std::string& option, const OptionValue& value) {
+void Session::set_option(const std::string& stage_id, const std::string& option, const OptionValue& value,
+                         const QString& what) {
   const auto& node = document_->at(stage_id);
   const OptionValue checked = node.type->options->at(option).checked(value);
   const OptionValue before = node.options.get(option);
   if (checked == before) return;
-  undo_.push(new EditOption(*this, stage_id, option, before, checked,
-                            node.given.contains(option)));  // the stack owns it and calls redo()
+  undo_.push(new EditOption(*this, stage_id, option, before, checked, node.given.contains(option),
+                            what));  // the stack owns it and calls redo()
 }
 
 void Session::apply(const std::string& stage_id, const std::string& option, const OptionValue& value, bool given) {

@@ -48,8 +48,10 @@ class Session : public QObject {
   const pipeline::PipelineDocument& document() const { return *document_; }
   QString path() const { return path_; }
 
-  // An edit that can be undone. Throws bole::Error when the option refuses the value.
-  void set_option(const std::string& stage_id, const std::string& option, const OptionValue& value);
+  // An edit that can be undone; the menu calls it `what`, else by stage and option. Throws bole::Error when the option
+  // refuses the value.
+  void set_option(const std::string& stage_id, const std::string& option, const OptionValue& value,
+                  const QString& what = {});
 
   // Puts a changed document in place of the one in hand, as one step of undo that the menu calls `what`.
   void change(const QString& what, pipeline::PipelineDocument after);

@@ -91,6 +91,62 @@
             <source>%1, or %2</source>
             <translation>%1,或 %2</translation>
         </message>
+        <message>
+            <source>add stem</source>
+            <translation>添加单木</translation>
+        </message>
+        <message>
+            <source>delete stem</source>
+            <translation>删除单木</translation>
+        </message>
+        <message>
+            <source>move stem</source>
+            <translation>移动单木</translation>
+        </message>
+        <message>
+            <source>change diameter</source>
+            <translation>修改胸径</translation>
+        </message>
+        <message>
+            <source>change height</source>
+            <translation>修改树高</translation>
+        </message>
+        <message>
+            <source>split stem</source>
+            <translation>拆分单木</translation>
+        </message>
+        <message>
+            <source>merge stems</source>
+            <translation>合并单木</translation>
+        </message>
+        <message>
+            <source>accept stem</source>
+            <translation>接受单木</translation>
+        </message>
+        <message>
+            <source>reject stem</source>
+            <translation>拒绝单木</translation>
+        </message>
+        <message>
+            <source>note on stem</source>
+            <translation>单木备注</translation>
+        </message>
+        <message>
+            <source>set species</source>
+            <translation>设置树种</translation>
+        </message>
+        <message>
+            <source>change row</source>
+            <translation>修改行</translation>
+        </message>
+        <message>
+            <source>change plant</source>
+            <translation>修改植株</translation>
+        </message>
+        <message>
+            <source>decide loop closure</source>
+            <translation>判定回环</translation>
+        </message>
     </context>
     <context>
         <name>bole::desktop::ChartView</name>
@@ -1683,6 +1739,46 @@
             <source>Maximum z</source>
             <translation>最大 z</translation>
         </message>
+        <message>
+            <source>Tree numbers</source>
+            <translation>树号</translation>
+        </message>
+        <message>
+            <source>With symbols for the quality of the diameter and what was decided</source>
+            <translation>用符号表示胸径质量和审核结果</translation>
+        </message>
+        <message>
+            <source>The colours of numbers; the legend shows them</source>
+            <translation>数值的颜色;图例显示其含义</translation>
+        </message>
+        <message>
+            <source>Usual</source>
+            <translation>默认</translation>
+        </message>
+        <message>
+            <source>Green to yellow (viridis)</source>
+            <translation>绿至黄 (viridis)</translation>
+        </message>
+        <message>
+            <source>Blue to yellow (cividis)</source>
+            <translation>蓝至黄 (cividis)</translation>
+        </message>
+        <message>
+            <source>Rainbow (turbo)</source>
+            <translation>彩虹 (turbo)</translation>
+        </message>
+        <message>
+            <source>Grey</source>
+            <translation>灰度</translation>
+        </message>
+        <message>
+            <source>Blue to red (diverging)</source>
+            <translation>蓝至红 (发散)</translation>
+        </message>
+        <message>
+            <source>Colour map</source>
+            <translation>色带</translation>
+        </message>
     </context>
     <context>
         <name>bole::desktop::WalkPanel</name>
@@ -1994,6 +2090,14 @@
         <message>
             <source>Open a scan or a point cloud first.</source>
             <translation>请先打开扫描或点云。</translation>
+        </message>
+        <message>
+            <source>Tree numbers</source>
+            <translation>树号</translation>
+        </message>
+        <message>
+            <source>Cancelled. What is shown stays as it was.</source>
+            <translation>已取消。显示内容保持不变。</translation>
         </message>
     </context>
     <context>
@@ -2621,6 +2725,198 @@
         <message>
             <source>Delete bookmark</source>
             <translation>删除书签</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::ControlTable</name>
+        <message>
+            <source>Point</source>
+            <translation>点</translation>
+        </message>
+        <message>
+            <source>Easting (m)</source>
+            <translation>东坐标 (m)</translation>
+        </message>
+        <message>
+            <source>Northing (m)</source>
+            <translation>北坐标 (m)</translation>
+        </message>
+        <message>
+            <source>Height (m)</source>
+            <translation>高程 (m)</translation>
+        </message>
+        <message>
+            <source>x in the plot (m)</source>
+            <translation>样地 x (m)</translation>
+        </message>
+        <message>
+            <source>y in the plot (m)</source>
+            <translation>样地 y (m)</translation>
+        </message>
+        <message>
+            <source>Residual east (cm)</source>
+            <translation>东向残差 (cm)</translation>
+        </message>
+        <message>
+            <source>north (cm)</source>
+            <translation>北向 (cm)</translation>
+        </message>
+        <message>
+            <source>up (cm)</source>
+            <translation>高程 (cm)</translation>
+        </message>
+        <message>
+            <source>Off the others (cm)</source>
+            <translation>与其他点之差 (cm)</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>备注</translation>
+        </message>
+        <message>
+            <source>Name of a target of the plot (centre, north), or any name where x and y are given</source>
+            <translation>样地标靶的名称(centre、north);给出 x、y 时可为任意名称</translation>
+        </message>
+        <message>
+            <source>In the coordinate system above</source>
+            <translation>采用上方的坐标系</translation>
+        </message>
+        <message>
+            <source>Optional; three or more heights level the plot</source>
+            <translation>可选;三个及以上高程可将样地调平</translation>
+        </message>
+        <message>
+            <source>Place of the point in the plot, where it is not a target</source>
+            <translation>点在样地中的位置(该点不是标靶时)</translation>
+        </message>
+        <message>
+            <source>Given minus adjusted</source>
+            <translation>给定值减平差值</translation>
+        </message>
+        <message>
+            <source>Distance from where the other points put this one, and the limit for a good point</source>
+            <translation>与其他点推算位置的距离,以及合格点的限值</translation>
+        </message>
+        <message>
+            <source>What the adjustment says of the point</source>
+            <translation>平差对该点的说明</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 / %2</translation>
+        </message>
+        <message>
+            <source>left out</source>
+            <translation>已剔除</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::PlaceForm</name>
+        <message>
+            <source>Place on the earth</source>
+            <translation>地理位置</translation>
+        </message>
+        <message>
+            <source>Projected coordinate system of the points and of all exports: an EPSG code or WKT</source>
+            <translation>控制点和所有导出结果的投影坐标系:EPSG 代码或 WKT</translation>
+        </message>
+        <message>
+            <source>Give the plot this place</source>
+            <translation>应用到样地</translation>
+        </message>
+        <message>
+            <source>Coordinate system</source>
+            <translation>坐标系</translation>
+        </message>
+        <message>
+            <source>Add a point</source>
+            <translation>添加点</translation>
+        </message>
+        <message>
+            <source>Ctrl+V in the table pastes rows of a spreadsheet</source>
+            <translation>在表中按 Ctrl+V 可粘贴电子表格的行</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>移除</translation>
+        </message>
+        <message>
+            <source>The selected points</source>
+            <translation>所选的点</translation>
+        </message>
+        <message>
+            <source>From a file…</source>
+            <translation>从文件…</translation>
+        </message>
+        <message>
+            <source>A table with name, easting_m, northing_m, height_m</source>
+            <translation>含 name、easting_m、northing_m、height_m 的表格</translation>
+        </message>
+        <message>
+            <source>Control points</source>
+            <translation>控制点</translation>
+        </message>
+        <message>
+            <source>Tables (*.csv *.txt)</source>
+            <translation>表格 (*.csv *.txt)</translation>
+        </message>
+        <message>
+            <source>Centre and compass…</source>
+            <translation>中心与罗盘…</translation>
+        </message>
+        <message>
+            <source>One point and a bearing instead: the options of the stage</source>
+            <translation>改用一个点和一个方位角:见该步骤的参数</translation>
+        </message>
+        <message>
+            <source>Place on the earth…</source>
+            <translation>地理位置…</translation>
+        </message>
+        <message>
+            <source>Open a pipeline with a stage that georeferences.</source>
+            <translation>请先打开含地理配准步骤的处理流程。</translation>
+        </message>
+        <message>
+            <source>Control points, their coordinate system and the residuals</source>
+            <translation>控制点、坐标系与残差</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::PlanMap</name>
+        <message>
+            <source>Plan map</source>
+            <translation>平面图</translation>
+        </message>
+        <message>
+            <source>Open a scan or a point cloud first.</source>
+            <translation>请先打开扫描或点云。</translation>
+        </message>
+        <message>
+            <source>From above, north up, with tree numbers; drag to move</source>
+            <translation>俯视,北向上,显示树号;拖动平移</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::PlotBoundary</name>
+        <message>
+            <source>Move the plot boundary</source>
+            <translation>移动样地边界</translation>
+        </message>
+        <message>
+            <source>Run a pipeline with a stage that gives the plot its boundary.</source>
+            <translation>请先运行含样地边界步骤的处理流程。</translation>
+        </message>
+        <message>
+            <source>Drag its centre; shape and size are options of the stage</source>
+            <translation>拖动其中心;形状和大小是该步骤的参数</translation>
+        </message>
+        <message>
+            <source>Drag the centre of the plot.</source>
+            <translation>拖动样地的中心。</translation>
+        </message>
+        <message>
+            <source>move the plot boundary</source>
+            <translation>移动样地边界</translation>
         </message>
     </context>
 </TS>

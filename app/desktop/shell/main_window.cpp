@@ -144,10 +144,11 @@ void MainWindow::take_up(const QString& path, const std::function<pipeline::Pipe
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (runner().running() &&
+  const bool asks = std::exchange(asks_before_close_, true);
+  if (asks && runner().running() &&
       QMessageBox::question(this, tr("A run is under way"), tr("Cancel the run and close?")) != QMessageBox::Yes)
     return event->ignore();
-  if (!may_lose_changes()) return event->ignore();
+  if (asks && !may_lose_changes()) return event->ignore();
   runner().cancel_all();
   keep_layout(*this);
   event->accept();

@@ -22,6 +22,9 @@ class MainWindow : public Workbench {
   // Opens what a crash left of it, without asking.
   void restore(const QString& path);
 
+  // The next close() asks nothing: what is not saved is kept for the next window, a run is cancelled.
+  void close_without_question() { asks_before_close_ = false; }
+
   QMenu* menu(Menu which) { return menus_[static_cast<std::size_t>(which)]; }
 
  protected:
@@ -39,6 +42,7 @@ class MainWindow : public Workbench {
 
   std::array<QMenu*, std::size(all_menus)> menus_{};
   QString recent_entry_;
+  bool asks_before_close_ = true;
 };
 
 }  // namespace bole::desktop

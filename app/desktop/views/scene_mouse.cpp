@@ -164,7 +164,6 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || place_taker_ != nullptr) return;
   double_clicked_ = true;
-  auto* camera = renderer_->GetActiveCamera();
   Eigen::Vector3d place;
   if (const auto point = point_at(event->pos()))
     place = survey_.points->position(*point) - origin_;
@@ -172,10 +171,7 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
     place = stem_place_of(stem->tree_id) - origin_;
   else
     return;
-  const Eigen::Vector3d shift = place - Eigen::Vector3d(camera->GetFocalPoint());
-  const Eigen::Vector3d eye = Eigen::Vector3d(camera->GetPosition()) + shift;
-  camera->SetFocalPoint(place.data());
-  camera->SetPosition(eye.data());
+  centre_on(renderer_->GetActiveCamera(), place);
   begin_motion();
   redraw();
 }

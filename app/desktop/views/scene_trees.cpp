@@ -1,18 +1,26 @@
 // Trees in the 3-D view: their numbers with symbols, and the box that cuts their stems as it cuts the points.
 #include <vtkActor.h>
+#include <vtkCamera.h>
 #include <vtkMapper.h>
+#include <vtkObjectFactory.h>
 #include <vtkPlane.h>
 
 #include <algorithm>
 
 #include "render/charts/columns.h"
 #include "views/map_style.h"
+#include "views/scene_camera.h"
 #include "views/scene_view.h"
 
 namespace bole::desktop {
+
+vtkStandardNewMacro(MapStyle)
+
 namespace {
 
 constexpr std::size_t max_marks = 100;  // more would cover the points
+constexpr double beside_m = 0.15;       // by which a sight passes other stems
+constexpr int turns = 9;                // to each side, to find one
 constexpr double above_ring_m = 0.35;   // the ring at breast height stays free
 
 }  // namespace
@@ -70,6 +78,39 @@ void SceneView::clip_stems() {
         mapper->AddClippingPlane(plane);
       }
   }
+}
+
+// No other stem stands before it.
+bool SceneView::sees_stem(const Eigen::Vector2d& from, const render::StemShape& stem) const {
+  const Eigen::Vector2d along = stem.breast_height.head<2>() - from;
+  return std::ranges::none_of(shapes_, [&](const render::StemShape& other) {
+    if (other.tree_id == stem.tree_id) return false;
+    const Eigen::Vector2d off = other.breast_height.head<2>() - from;
+    const double t = off.dot(along) / std::max(along.squaredNorm(), 1e-9);
+    return t > 0 && t < 1 && (off - t * along).norm() < other.breast_radius_m + stem.breast_radius_m + beside_m;
+  });
+}
+
+// From the side that needs the smallest turn for a free sight.
+void SceneView::zoom_to_tree(std::int64_t id) {
+  const auto it = std::ranges::find(shapes_, id, &render::StemShape::tree_id);
+  if (it == shapes_.end()) return;
+  if (flat()) return zoom_to(it->breast_height);
+  auto* camera = renderer_->GetActiveCamera();
+  approach(camera, it->breast_height - origin_, approach_m);
+  const auto free = [&](double angle_deg) {
+    vtkNew<vtkCamera> turned;
+    turned->DeepCopy(camera);
+    turned->Azimuth(angle_deg);
+    return sees_stem((Eigen::Vector3d(turned->GetPosition()) + origin_).head<2>(), *it);
+  };
+  for (int k = 0; k <= 2 * turns; ++k) {
+    const double angle_deg = (k % 2 == 0 ? 1 : -1) * (k + 1) / 2 * 180.0 / turns;
+    if (!free(angle_deg)) continue;
+    camera->Azimuth(angle_deg);
+    break;
+  }
+  redraw();
 }
 
 void SceneView::set_flat(bool on) { style_->flat = on; }

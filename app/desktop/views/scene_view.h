@@ -35,6 +35,7 @@ class vtkActor;
 namespace bole::desktop {
 
 class ClipHandles;
+class MapStyle;
 
 // Where a perspective view is seen from.
 struct SceneEye {
@@ -71,6 +72,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void look_along(const Eigen::Vector3d& direction, const Eigen::Vector3d& up);  // all of the survey
   void set_parallel(bool on);
   bool parallel() const;
+  void set_flat(bool on);  // a drag moves the view in place of turning it
+  bool flat() const;
   void zoom_to_tree(std::int64_t id);
   void zoom_to(const Eigen::Vector3d& place);
   Eigen::Vector3d centre() const;  // of rotation, world coordinates
@@ -139,6 +142,10 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void follow_index();
   void rebuild();
   void repaint_points();
+  void take_trees();
+  void add_trees(render::ViewFurniture& furniture, const render::PickView& view, double sheet_mm_per_px);
+  void clip_stems();
+  bool sees_stem(const Eigen::Vector2d& from, const render::StemShape& stem) const;
   void measure_extent();
   void draw_cameras();
   std::optional<render::ClipBox> all_of_it() const;
@@ -171,10 +178,17 @@ class SceneView : public QVTKOpenGLNativeWidget {
   render::Interval heights_;
   bool extent_known_ = false;
   std::vector<render::StemShape> shapes_;
+  struct SceneTree {
+    std::int64_t id;
+    Eigen::Vector3d place;  // of its number
+    std::string quality, state;
+  };
+  std::vector<SceneTree> trees_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   render::ScreenLook look_;
   render::PointLayer layer_;
   vtkNew<vtkRenderer> renderer_;
+  vtkSmartPointer<MapStyle> style_;
   render::FurnitureLayer furniture_;
   std::vector<vtkSmartPointer<vtkActor>> actors_;
   vtkSmartPointer<vtkActor> highlight_, grid_;

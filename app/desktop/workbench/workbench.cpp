@@ -16,7 +16,7 @@
 namespace bole::desktop {
 namespace {
 
-constexpr int message_ms = 10000;
+constexpr int message_ms = 10000, cancelled_code = 3;
 
 StageMark mark_of(const vtkbridge::StageOutcome& stage) {
   switch (stage.state) {
@@ -173,17 +173,19 @@ void Workbench::run() {
 
 void Workbench::export_to(const QString& folder) { start(true, folder); }
 
+void Workbench::run_without_files() { start(false, results_folder(), true); }
+
 void Workbench::refresh() {
   refresh_again_ = run_->running();
   if (!refresh_again_) start(false, results_folder());
 }
 
-void Workbench::start(bool sinks, const QString& folder) {
+void Workbench::start(bool sinks, const QString& folder, bool asked) {
   if (!session_.has_document()) return;
   for (const auto& problem : pipeline::validate(session_.document()))
     throw bad_input(problem.stage + ": " + problem.message);
   if (sinks) last_export_ = folder;
-  run_->start(folder, sinks);
+  run_->start(folder, sinks, asked);
   Q_EMIT run_started();
 }
 
@@ -223,12 +225,15 @@ void Workbench::show_outcome(const vtkbridge::RunOutcome& outcome) {
     const bool failed = !stage.error.empty();
     const auto& message = failed ? stage.error : stage.record.report.message;
     pipeline_->set_state(QString::fromStdString(stage.record.id), mark_of(stage), QString::fromStdString(message));
-    tell(QString::fromStdString(stage.record.id + ": " + message), failed ? LogLevel::error : LogLevel::info);
+    if (!failed || outcome.exit_code != cancelled_code)  // by the person, who knows
+      tell(QString::fromStdString(stage.record.id + ": " + message), failed ? LogLevel::error : LogLevel::info);
     for (const auto& warning : stage.record.report.warnings)
       tell(QString::fromStdString(stage.record.id + ": " + warning), LogLevel::warning);
   }
   visibility_.take(run_->outcome(), run_->results());
-  hint(outcome.error.empty() ? tr("Done") : QString::fromStdString(outcome.error));
+  hint(outcome.exit_code == cancelled_code ? tr("Cancelled. What is shown stays as it was.")
+       : outcome.error.empty()             ? tr("Done")
+                                           : QString::fromStdString(outcome.error));
   show_survey(run_->survey());
 }
 

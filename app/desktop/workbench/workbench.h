@@ -36,11 +36,12 @@ class Workbench : public QMainWindow {
   virtual void open_made(const pipeline::PipelineDocument& document, const QString& path) = 0;
 
   void run();                             // the whole pipeline; waits for runs that were asked for before
-  void refresh();                         // all but the stages that write files; after the current run, if any
+  void run_without_files();               // all but the stages that write files; listed in the history
+  void refresh();                         // the same after an edit, not listed; after the current run, if any
   void export_to(const QString& folder);  // the whole pipeline, its files into that folder
   // What the 3-D view shows until a run gives more. `elsewhere`: in other axes than what the run will show.
   void show_preview(const Survey& preview, bool elsewhere);
-  QString results_folder() const;         // where a run of the document writes
+  QString results_folder() const;  // where a run of the document writes
   QString last_export() const { return last_export_; }
 
   Session& session() { return session_; }
@@ -83,7 +84,7 @@ class Workbench : public QMainWindow {
 
  private:
   void tell(const QString& text, LogLevel level);
-  void start(bool sinks, const QString& folder);
+  void start(bool sinks, const QString& folder, bool asked = false);
   void connect_document();
   void connect_views();
   void keep_commands_up_to_date();

@@ -6,12 +6,12 @@
 namespace bole::render {
 namespace {
 
-constexpr double tree_number_pt = 7, half_mm = 2.1, left_mm = 1.7, symbol_mm = 1.0, number_at_mm = 1.7;
+constexpr double tree_number_pt = 7, mark_half_mm = 2.1, mark_left_mm = 1.7, symbol_mm = 1.0, number_at_mm = 1.7;
 constexpr double legend_line_mm = 3.8, legend_rim_mm = 1.2;
 constexpr std::array<const char*, 3> qualities{"good", "fair", "poor"};
 constexpr std::array<const char*, 2> decisions{"accepted", "rejected"};
 
-void draw_symbol(Canvas& canvas, const Eigen::Vector2d& at, const std::string& quality, double size_mm) {
+void draw_quality_symbol(Canvas& canvas, const Eigen::Vector2d& at, const std::string& quality, double size_mm) {
   const Color fill = quality_color(quality);
   const Stroke rim{ink::paper, 0.3};
   if (quality == "good") return canvas.circle(at, size_mm, fill, rim);
@@ -22,9 +22,8 @@ void draw_symbol(Canvas& canvas, const Eigen::Vector2d& at, const std::string& q
     return canvas.polygon(corners, fill, rim);
   }
   if (quality == "poor")
-    return canvas.rectangle({at.x() - 0.9 * size_mm, at.y() - 0.9 * size_mm, at.x() + 0.9 * size_mm,
-                             at.y() + 0.9 * size_mm},
-                            fill, rim);
+    return canvas.rectangle(
+        {at.x() - 0.9 * size_mm, at.y() - 0.9 * size_mm, at.x() + 0.9 * size_mm, at.y() + 0.9 * size_mm}, fill, rim);
   canvas.circle(at, 0.8 * size_mm, {}, Stroke{ink::muted, 0.4});
 }
 
@@ -57,8 +56,8 @@ std::vector<LegendLine> legend_lines(const std::vector<TreeMark>& marks) {
 
 Box mark_box(const TreeMark& mark) {
   const double width = 0.62 * tree_number_pt * 0.3528 * static_cast<double>(mark.number.size()) + 1;
-  return {mark.at_mm.x() - left_mm, mark.at_mm.y() - half_mm, mark.at_mm.x() + number_at_mm + width,
-          mark.at_mm.y() + half_mm};
+  return {mark.at_mm.x() - mark_left_mm, mark.at_mm.y() - mark_half_mm, mark.at_mm.x() + number_at_mm + width,
+          mark.at_mm.y() + mark_half_mm};
 }
 
 std::vector<TreeMark> kept_apart(const std::vector<TreeMark>& marks, const Box& view, std::size_t max_count) {
@@ -75,8 +74,8 @@ std::vector<TreeMark> kept_apart(const std::vector<TreeMark>& marks, const Box& 
 }
 
 void draw_tree_mark(Canvas& canvas, const TreeMark& mark) {
-  const Eigen::Vector2d at(left_mm, canvas.height_mm() / 2);
-  draw_symbol(canvas, at, mark.quality, mark.strong ? 1.3 * symbol_mm : symbol_mm);
+  const Eigen::Vector2d at(mark_left_mm, canvas.height_mm() / 2);
+  draw_quality_symbol(canvas, at, mark.quality, mark.strong ? 1.3 * symbol_mm : symbol_mm);
   TextStyle style{tree_number_pt, mark.state == "rejected" ? ink::muted : ink::text, mark.strong};
   style.halo_mm = 0.45;
   const double x = at.x() + number_at_mm;
@@ -104,7 +103,7 @@ void draw_tree_legend(Canvas& canvas, const std::vector<TreeMark>& marks) {
   double y = legend_rim_mm + legend_line_mm / 2;
   for (const auto& line : legend_lines(marks)) {
     const Eigen::Vector2d at(legend_rim_mm + 1.8, y);
-    if (!line.quality.empty()) draw_symbol(canvas, at, line.quality, symbol_mm);
+    if (!line.quality.empty()) draw_quality_symbol(canvas, at, line.quality, symbol_mm);
     draw_decision(canvas, at, line.state);
     canvas.text({at.x() + 2.6, y}, line.quality + line.state,
                 TextStyle{tree_number_pt, ink::text}.aligned(HAlign::left, VAlign::middle));

@@ -19,7 +19,7 @@ constexpr int metre_decimals = 3, residual_decimals = 1;
 constexpr const char* file_columns[] = {"name", "easting_m", "northing_m", "height_m", "x_m", "y_m"};
 constexpr int file_column_count = 6;
 
-QString number_text(double value, int decimals) {
+QString cell_number(double value, int decimals) {
   return std::isfinite(value) ? QString::number(value, 'f', decimals) : QString();
 }
 
@@ -27,21 +27,20 @@ QString number_text(double value, int decimals) {
 
 ControlTable::ControlTable(QWidget* parent) : QTableWidget(0, column_count, parent) {
   setObjectName("control_table");
-  setHorizontalHeaderLabels({tr("Point"), tr("Easting (m)"), tr("Northing (m)"), tr("Height (m)"), tr("x in the plot (m)"),
-                             tr("y in the plot (m)"), tr("Residual east (cm)"), tr("north (cm)"), tr("up (cm)"),
-                             tr("Off the others (cm)"), tr("Note")});
-  const QString tips[] = {
-      tr("Name of a target of the plot (centre, north), or any name where x and y are given"),
-      tr("In the coordinate system above"),
-      tr("In the coordinate system above"),
-      tr("Optional; three or more heights level the plot"),
-      tr("Place of the point in the plot, where it is not a target"),
-      tr("Place of the point in the plot, where it is not a target"),
-      tr("Given minus adjusted"),
-      tr("Given minus adjusted"),
-      tr("Given minus adjusted"),
-      tr("Distance from where the other points put this one, and the limit for a good point"),
-      tr("What the adjustment says of the point")};
+  setHorizontalHeaderLabels({tr("Point"), tr("Easting (m)"), tr("Northing (m)"), tr("Height (m)"),
+                             tr("x in the plot (m)"), tr("y in the plot (m)"), tr("Residual east (cm)"),
+                             tr("north (cm)"), tr("up (cm)"), tr("Off the others (cm)"), tr("Note")});
+  const QString tips[] = {tr("Name of a target of the plot (centre, north), or any name where x and y are given"),
+                          tr("In the coordinate system above"),
+                          tr("In the coordinate system above"),
+                          tr("Optional; three or more heights level the plot"),
+                          tr("Place of the point in the plot, where it is not a target"),
+                          tr("Place of the point in the plot, where it is not a target"),
+                          tr("Given minus adjusted"),
+                          tr("Given minus adjusted"),
+                          tr("Given minus adjusted"),
+                          tr("Distance from where the other points put this one, and the limit for a good point"),
+                          tr("What the adjustment says of the point")};
   for (int c = 0; c < column_count; ++c) horizontalHeaderItem(c)->setToolTip(tips[c]);
   verticalHeader()->hide();
   verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
@@ -86,9 +85,10 @@ void ControlTable::show_points(const Table& points) {
   filling_ = true;
   setRowCount(0);
   for (std::size_t i = 0; i < points.rows(); ++i) {
-    const int row = new_row(points.has(file_columns[0]) ? QString::fromStdString(points.text(file_columns[0], i)) : QString());
+    const int row =
+        new_row(points.has(file_columns[0]) ? QString::fromStdString(points.text(file_columns[0], i)) : QString());
     for (int c = easting; c < file_column_count; ++c)
-      put(row, c, number_text(numbers_or_nan(points, file_columns[c])[i], metre_decimals));
+      put(row, c, cell_number(numbers_or_nan(points, file_columns[c])[i], metre_decimals));
   }
   resizeColumnsToContents();
   filling_ = false;
@@ -110,11 +110,11 @@ void ControlTable::show_residuals(const Table* residuals) {
     const int row = row_named(QString::fromStdString(residuals->text("name", i)));
     if (row < 0) continue;
     const auto cm = [&](const char* column) { return 100 * numbers_or_nan(*residuals, column)[i]; };
-    put(row, east, number_text(cm("residual_east_m"), residual_decimals));
-    put(row, north, number_text(cm("residual_north_m"), residual_decimals));
-    put(row, up, number_text(cm("residual_height_m"), residual_decimals));
-    const QString limit = number_text(cm("misfit_limit_m"), residual_decimals);
-    const QString off = number_text(cm("misfit_m"), residual_decimals);
+    put(row, east, cell_number(cm("residual_east_m"), residual_decimals));
+    put(row, north, cell_number(cm("residual_north_m"), residual_decimals));
+    put(row, up, cell_number(cm("residual_height_m"), residual_decimals));
+    const QString limit = cell_number(cm("misfit_limit_m"), residual_decimals);
+    const QString off = cell_number(cm("misfit_m"), residual_decimals);
     put(row, misfit, limit.isEmpty() || off.isEmpty() ? off : tr("%1 of %2").arg(off, limit));
     const bool left_out = residuals->has("used") && numbers_or_nan(*residuals, "used")[i] == 0;
     const QString said = residuals->has("note") ? QString::fromStdString(residuals->text("note", i)) : QString();

@@ -20,8 +20,8 @@ class ControlTable : public QTableWidget {
   void show_targets(const Table& targets);      // rows for targets of the plot that have none yet
   void show_residuals(const Table* residuals);  // of survey.georeference; null: none
   void add_point();
-  void remove_points();                         // that are selected
-  bool paste();                                 // rows from a spreadsheet, from the current cell on
+  void remove_points();  // that are selected
+  bool paste();          // rows from a spreadsheet, from the current cell on
 
   // The points as a file, rows without coordinates left out. Throws bole::Error that names the row when a cell is not
   // a number, a name is missing or occurs twice.

@@ -16,7 +16,7 @@
 #include "cloud/table_columns.h"
 #include "document/stage_roles.h"
 #include "features/georeference/control_table.h"
-#include "io/tables/read_table.h"
+#include "io/core/tables/table_file.h"
 #include "look/last_folder.h"
 #include "panels/pipeline_panel.h"
 #include "views/scene_view.h"
@@ -107,13 +107,13 @@ void PlaceForm::make_widgets() {
 }
 
 void PlaceForm::make_commands() {
-  bench_.commands().add({.id = "survey.place",
-                         .text = tr("Place on the earth…"),
-                         .places = {in_menu(Menu::tools, place_section)},
-                         .act = [this] { bench_.docks().raise(dock_id); },
-                         .enabled_when = {[this] { return stage() != nullptr; },
-                                          tr("Open a pipeline with a stage that georeferences.")},
-                         .tip = tr("Control points, their coordinate system and the residuals")});
+  bench_.commands().add(
+      {.id = "survey.place",
+       .text = tr("Place on the earth…"),
+       .places = {in_menu(Menu::tools, place_section)},
+       .act = [this] { bench_.docks().raise(dock_id); },
+       .enabled_when = {[this] { return stage() != nullptr; }, tr("Open a pipeline with a stage that georeferences.")},
+       .tip = tr("Control points, their coordinate system and the residuals")});
 }
 
 const pipeline::StageNode* PlaceForm::stage() const {
@@ -170,7 +170,8 @@ void PlaceForm::take(const vtkbridge::RunOutcome& outcome, const Results& result
 QString PlaceForm::new_file(const std::string& content) const {
   const QFileInfo document(bench_.session().path());
   for (int n = 1;; ++n) {
-    const QString name = document.completeBaseName() + (n == 1 ? QString("_control.csv") : QString("_control_%1.csv").arg(n));
+    const QString name =
+        document.completeBaseName() + (n == 1 ? QString("_control.csv") : QString("_control_%1.csv").arg(n));
     const QString path = document.dir().filePath(name);
     QFile file(path);
     if (!file.exists() || (file.open(QIODevice::ReadOnly) && file.readAll() == QByteArray::fromStdString(content)))
@@ -192,7 +193,7 @@ void PlaceForm::apply() {
     if (other.id != node->id) continue;
     other.options.set(control_file_option, path.toStdString());
     other.options.set(system_option, system_->text().trimmed().toStdString());
-    other.given.insert({control_file_option, system_option});
+    for (const char* option : {control_file_option, system_option}) other.given.insert(option);
   }
   file_ = path;
   bench_.session().change(tr("Place on the earth"), std::move(after));

@@ -40,7 +40,7 @@ void make_commands(Workbench* b) {
                 .text = Workbench::tr("Run without writing files"),
                 .key = QKeySequence("Shift+F5"),
                 .places = {in_menu(Menu::run)},
-                .act = [b] { b->refresh(); },
+                .act = [b] { b->run_without_files(); },
                 .enabled_when = b->with_document()});
   commands.add({.id = "run.finish",
                 .text = Workbench::tr("Keep result"),

@@ -6,21 +6,21 @@
 namespace bole::desktop {
 namespace {
 
-constexpr int map_section = 0;              // of the menu View
-constexpr double stems_below_m = 3.0;       // heights above ground that a map shows
+constexpr int map_section = 0;         // of the menu View
+constexpr double stems_below_m = 3.0;  // heights above ground that a map shows
 
 }  // namespace
 
 PlanMap::PlanMap(Workbench& bench) : QObject(&bench), bench_(bench) {
-  bench_.commands().add({.id = "view.map",
-                         .text = tr("Plan map"),
-                         .key = Qt::Key_7,
-                         .places = {in_menu(Menu::view, map_section), in_tool_bar("view_bar"), in_context("scene")},
-                         .turn = [this](bool on) { turn(on); },
-                         .enabled_when = {[this] { return bench_.scene().has_survey(); },
-                                          tr("Open a scan or a point cloud first.")},
-                         .checked_when = [this] { return on(); },
-                         .tip = tr("From above, north up, with tree numbers; drag to move")});
+  bench_.commands().add(
+      {.id = "view.map",
+       .text = tr("Plan map"),
+       .key = Qt::Key_7,
+       .places = {in_menu(Menu::view, map_section), in_tool_bar("view_bar"), in_context("scene")},
+       .turn = [this](bool on) { turn(on); },
+       .enabled_when = {[this] { return bench_.scene().has_survey(); }, tr("Open a scan or a point cloud first.")},
+       .checked_when = [this] { return on(); },
+       .tip = tr("From above, north up, with tree numbers; drag to move")});
   connect(&bench_, &Workbench::document_opened, this, [this] {
     before_.reset();
     bench_.scene().set_flat(false);

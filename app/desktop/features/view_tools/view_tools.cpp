@@ -4,6 +4,8 @@
 
 #include "features/view_tools/bookmarks.h"
 #include "features/view_tools/export_image.h"
+#include "features/view_tools/plan_map.h"
+#include "features/view_tools/plot_boundary.h"
 #include "features/view_tools/view_panel.h"
 #include "views/scene_view.h"
 #include "workbench/workbench.h"
@@ -80,6 +82,7 @@ void add_look_commands(Workbench& bench, ViewPanel* panel) {
   auto& scene = bench.scene();
   add_switch(bench, "view.eye_dome", Workbench::tr("Eye-dome shading"), Qt::Key_E, &ViewSettings::eye_dome);
   add_switch(bench, "view.grid", Workbench::tr("Grid in metres"), Qt::Key_G, &ViewSettings::grid);
+  add_switch(bench, "view.trees", Workbench::tr("Tree numbers"), Qt::Key_T, &ViewSettings::trees);
   bench.commands().add({.id = "view.clip_box",
                         .text = Workbench::tr("Clip box"),
                         .key = Qt::Key_B,
@@ -109,6 +112,8 @@ void install_view_tools(Workbench& bench) {
   QObject::connect(&bench.scene(), &SceneView::menu_asked, b,
                    [b](const QPoint& global) { b->commands().show_menu("scene", global); });
   add_look_commands(bench, panel);
+  new PlanMap(bench);
+  new PlotBoundary(bench);
   new Bookmarks(bench);
   add_image_export(bench);
 }
