@@ -6,12 +6,16 @@
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
+#include <cmath>
+#include <fstream>
 
 #include "features/georeference/control_table.h"
 #include "features/georeference/place_form.h"
 #include "features/view_tools/bookmarks.h"
 #include "features/view_tools/plot_boundary.h"
 #include "look/language.h"
+#include "look/pixels.h"
 #include "sample_window.h"
 #include "shell/restart.h"
 #include "small_plot.h"
@@ -164,7 +168,7 @@ class ViewToolsTest : public QObject {
     const QImage empty = scene().picture(600, false);
     int drawn = 0;
     for (int y = 0; y < empty.height(); ++y)
-      for (int x = 0; x < empty.width(); ++x) drawn += empty.pixel(x, y) != empty.pixel(0, 0);
+      for (int x = 0; x < empty.width(); ++x) drawn += empty.pixel(x, y) != empty.pixel(0, y);
     scene().set_settings(plain);
     QCOMPARE(drawn, 0);
   }
@@ -177,7 +181,12 @@ class ViewToolsTest : public QObject {
     scene().set_settings(settings);
     const QImage grey = scene().picture(800, false);
     QVERIFY(pixels_unlike(usual, grey) > 1000);
-    const QRect bar(grey.width() - 60, grey.height() - 80, 40, 60);
+    const double px_per_mm = grey.width() / (scene().width() * mm_per_px);
+    const auto from_corner = [&](double right_mm, double bottom_mm) {
+      return QPoint(static_cast<int>(grey.width() - right_mm * px_per_mm),
+                    static_cast<int>(grey.height() - bottom_mm * px_per_mm));
+    };
+    const QRect bar(from_corner(32, 30), from_corner(28.5, 14));
     const auto colourful = [&](const QImage& image) {
       int count = 0;
       for (int y = bar.top(); y < bar.bottom(); ++y)
@@ -308,6 +317,8 @@ class ViewToolsTest : public QObject {
     QVERIFY(window_->session().changed());
     restart_in_language(*window_, "zh_CN");
     QVERIFY(!window_->isVisible());
+    QTimer::singleShot(0, qApp, &QCoreApplication::quit);  // the loop that was to end
+    QCoreApplication::exec();
     window_ = std::make_unique<MainWindow>();
     window_->show();
     QVERIFY(reopen(*window_));

@@ -56,6 +56,7 @@ void PlotBoundary::show_survey(const Survey& survey) {
     const auto rule = counting_rule(*survey.plot);
     if (rule.area.shape != PlotArea::Shape::none) area_ = rule.area;
   }
+  bench_.commands().update();
   draw();
 }
 
