@@ -12,7 +12,7 @@
             <translation>匹配距离</translation>
         </message>
         <message>
-            <source>Dbh gate</source>
+            <source>DBH gate</source>
             <translation>胸径差上限</translation>
         </message>
         <message>
@@ -959,11 +959,11 @@
             <translation>胸径变化容差</translation>
         </message>
         <message>
-            <source>Min dbh</source>
+            <source>Min DBH</source>
             <translation>起测胸径</translation>
         </message>
         <message>
-            <source>Max dbh</source>
+            <source>Max DBH</source>
             <translation>最大胸径</translation>
         </message>
         <message>
@@ -1135,7 +1135,7 @@
             <translation>惯性单元的时间偏移</translation>
         </message>
         <message>
-            <source>Imu</source>
+            <source>IMU</source>
             <translation>惯性单元(IMU)</translation>
         </message>
         <message>
@@ -1155,7 +1155,7 @@
             <translation>测站位置</translation>
         </message>
         <message>
-            <source>Crs</source>
+            <source>CRS</source>
             <translation>坐标参考系</translation>
         </message>
         <message>
@@ -1547,7 +1547,7 @@
             <translation>控制点文件</translation>
         </message>
         <message>
-            <source>Crs</source>
+            <source>CRS</source>
             <comment>survey.georeference</comment>
             <translation>坐标参考系</translation>
         </message>
@@ -1745,7 +1745,7 @@
             <translation>存疑断面积上限</translation>
         </message>
         <message>
-            <source>Min missed dbh</source>
+            <source>Min missed DBH</source>
             <translation>漏测单木起测直径</translation>
         </message>
         <message>
