@@ -20,8 +20,8 @@ TEST(KnownFacts, KeysAreUniqueAndEndWithTheirUnits) {
     EXPECT_TRUE(keys.insert(info->key).second) << info->key;
     EXPECT_FALSE(info->meaning.empty()) << info->key;
     if (info->unit.empty()) continue;
-    if (info->unit != "1")  // of a count, whose key says what is counted
-      EXPECT_TRUE(info->key.ends_with("_" + std::string(info->unit))) << info->key;
+    const bool counts = info->unit == "1";  // the key says what
+    EXPECT_TRUE(counts || info->key.ends_with("_" + std::string(info->unit))) << info->key;
     EXPECT_LT(info->min, info->max) << info->key;
   }
 }
