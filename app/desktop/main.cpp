@@ -2,7 +2,6 @@
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <QApplication>
-#include <QFileInfo>
 #include <QIcon>
 #include <QSurfaceFormat>
 #include <clocale>
@@ -24,12 +23,11 @@ using bole::desktop::MainWindow;
 
 // The file of the command line, else the one that was open before the language was changed.
 bool open_first(MainWindow& window, const QString& file) {
-  const QString before = bole::desktop::take_file_to_reopen();
   try {
     if (!file.isEmpty())
       window.open(file);
-    else if (QFileInfo::exists(before))
-      window.open(before);
+    else
+      bole::desktop::reopen(window);
     return true;
   } catch (const bole::Error& e) {
     qCritical("bole-desktop: %s", e.what());

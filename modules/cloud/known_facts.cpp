@@ -8,6 +8,8 @@
 #include "base/error.h"
 #include "base/option.h"
 #include "base/option_text.h"
+#include "cloud/core/whole/whole_cloud.h"
+#include "cloud/core/whole/whole_size.h"
 #include "cloud/first_sight.h"
 #include "cloud/height_facts.h"
 
@@ -35,10 +37,15 @@ std::span<const FactInfo* const> known_facts() {
                                   &facts::range_noise,
                                   &facts::clock,
                                   &facts::poses,
+                                  &facts::level_sigma,
                                   &facts::breast_height,
                                   &facts::kind,
                                   &facts::height_reference,
                                   &facts::terrain,
+                                  &facts::whole_origin,
+                                  &facts::whole_low,
+                                  &facts::whole_spacing,
+                                  &facts::whole_points,
                                   &facts::axes,
                                   &facts::crs};
   return all;

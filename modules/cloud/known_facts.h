@@ -33,6 +33,8 @@ inline constexpr FactInfo beam_aperture{"beam_aperture_m", "m", 0, 1,
 inline constexpr FactInfo range_noise{"range_noise_m", "m", 0, 10, "Standard deviation of a single range."};
 inline constexpr FactInfo clock{"clock", "", 0, 0, "Source of the times: utc, recorder, file or assumed."};
 inline constexpr FactInfo poses{"poses", "", 0, 0, "Source of the poses: given or estimated."};
+inline constexpr FactInfo level_sigma{"level_sigma_deg", "deg", 0, 90,
+                                      "Standard deviation of the vertical, per axis, where gravity gave it."};
 inline constexpr FactInfo breast_height{"breast_height_m", "m", 0.1, 5,
                                         "Height above ground at which diameters are measured."};
 // Clouds, rasters and trajectories hold these two as members; tables hold them as facts.

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <optional>
 
 #include "cloud/known_facts.h"
 #include "evaluation/core/compare_runs.h"
+#include "evaluation/core/evaluate_rows.h"
 #include "evaluation/core/evaluate_stems.h"
 #include "evaluation/core/evaluate_trajectory.h"
 #include "evaluation/core/published.h"
@@ -178,10 +180,56 @@ pipeline::StageType compare_stage() {
   return t;
 }
 
+pipeline::StageResult evaluate_row_tables(const DataSet& in, const OptionSet& set, const Run&) {
+  EvaluationOptions options;
+  options.match_distance_m = set.as<RowMatchOptions>().match_distance_m;
+  auto found = evaluate_rows(in.table("plants"), in.table("reference"), options);
+  pipeline::StageResult result;
+  copy_metrics(found.summary, result.report);
+  const auto& kind = found.rows.texts("kind");
+  const auto count = [&](const char* name, const char* of) {
+    return result.report.counts[name] = std::ranges::count(kind, std::string(of));
+  };
+  const auto matched = count("rows_matched", "matched"), missed = count("rows_missed", "missed"),
+             extra = count("rows_false", "false");
+  if (matched == 0)
+    result.report.warn(
+        "no row matches a reference row: are both in the same axes? Place the frame (place.x, place.y, place.yaw, or "
+        "marks), or raise match_distance");
+  result.report.message = std::to_string(matched) + " rows matched, " + std::to_string(missed) + " missed, " +
+                          std::to_string(extra) + " false";
+  result.outputs.set("matches", std::move(found.rows));
+  result.outputs.set("summary", std::move(found.summary));
+  result.outputs.set("lines", std::move(found.reference_lines));
+  return result;
+}
+
+pipeline::StageType rows_stage() {
+  pipeline::StageType t;
+  t.name = "evaluation.rows";
+  t.vtk_class = "vtkBoleEvaluateRows";
+  t.title = "Evaluate rows";
+  t.help =
+      "Compares plant rows with reference rows. Plants that stand within match_distance of one another are the same; a "
+      "row is right when 90 % of its plants are those of one reference row. Gives the error of each row's direction "
+      "against the least-squares line through its reference plants, and the share of rows, plants and gaps found.";
+  t.source = "SPEC B: plant rows from a 3-D LiDAR (Zhao et al. 2023), tables 2 and 3";
+  t.inputs = {{"plants", DataKind::table, "Plants in their rows: row_id, x_m, y_m; state where known.", false, {}},
+              {"reference", DataKind::table, "Reference plants: row_id, x_m, y_m; state where known.", false, {}}};
+  t.outputs = {{"matches", DataKind::table, "Matched, missed and false rows with their angles.", false, {}, true},
+               {"summary", DataKind::table, "Measures of the comparison.", false, {}, true},
+               {"lines", DataKind::table, "Ends of the lines through the reference plants.", false, {}}};
+  t.options = &option_table(static_cast<const RowMatchOptions*>(nullptr));
+  t.main_numbers = {"angle_error_mean", "angle_error_max", "row_recall"};
+  t.run = evaluate_row_tables;
+  return t;
+}
+
 }  // namespace
 
 void register_stages(pipeline::StageRegistry& registry) {
   registry.add(compare_stage());
+  registry.add(rows_stage());
   pipeline::StageType t;
   t.name = "evaluation.plot";
   t.vtk_class = "vtkBoleEvaluatePlot";

@@ -9,7 +9,8 @@ namespace {
 
 pipeline::StageResult run_model(const DataSet& inputs, const OptionSet& options, const Run& run) {
   const PointCloud& cloud = inputs.cloud("points");
-  auto model = model_ground(cloud, options.as<GroundOptions>(), run);
+  const auto& o = options.as<GroundOptions>();
+  auto model = inputs.has("terrain") ? ground_of(cloud, inputs.raster("terrain"), o, run) : model_ground(cloud, o, run);
   PointCloud points = cloud;
   points.set_column(arrays::height_above_ground, std::move(model.height_above_ground));
   points.set_column(arrays::classification, std::move(model.classification));
@@ -38,11 +39,18 @@ void register_stages(pipeline::StageRegistry& registry) {
       "then a robust plane is fitted to the band of ground points around each cell, so that the model runs through the "
       "middle of the band and not along its lower edge or the top of the grass. "
       "Cells without ground points are interpolated and marked in dem_filled; further than fill_distance from any "
-      "ground point the model has no value and points there have no height (NaN).";
+      "ground point the model has no value and points there have no height (NaN). Where a terrain is connected, "
+      "heights are "
+      "counted from that.";
   type.source =
       "Progressive TIN densification: P. Axelsson, DEM generation from laser scanner data using adaptive TIN models, "
       "IAPRS XXXIII B4/1, 2000; local fit: Bole";
-  type.inputs = {{"points", DataKind::cloud, "A cloud whose z axis points up.", false, {}}};
+  type.inputs = {{"points", DataKind::cloud, "A cloud whose z axis points up.", false, {}},
+                 {"terrain",
+                  DataKind::raster,
+                  "A terrain model that was made before: heights are counted from it, and none is made.",
+                  true,
+                  {}}};
   type.outputs = {
       {"points",
        DataKind::cloud,

@@ -12,6 +12,7 @@
 #include "io/core/tables/trajectory_file.h"
 #include "io/core/views/open_views.h"
 #include "io/core/views/view_layouts.h"
+#include "io/tile_stages.h"
 #include "pipeline/stage.h"
 
 namespace bole::io {
@@ -302,8 +303,10 @@ pipeline::StageType read_runs_stage() {
       {"stems", DataKind::table, "The stems of all runs, with a column run.", false, {}},
       {"poses", DataKind::table, "The trajectories of all runs: run, time_s, position, quaternion.", false, {}},
       {"boundaries", DataKind::table, "Vertices of the plot boundaries: run, x_m, y_m.", false, {}},
+      {"loops", DataKind::table, "Loop closures of the runs: run, from_time_s, to_time_s.", false, {}},
       {"reference_stems", DataKind::table, "Reference trees of the runs that have some.", false, {}},
       {"reference_poses", DataKind::table, "Reference trajectories of the runs that have one.", false, {}}};
+  type.version = 2;
   type.options = &option_table(static_cast<const RunFolderOptions*>(nullptr));
   type.run = [](const DataSet&, const OptionSet& options, const Run& run) {
     auto folders = read_run_folders(options.as<RunFolderOptions>(), run);
@@ -312,6 +315,7 @@ pipeline::StageType read_runs_stage() {
     result.outputs.set("stems", std::move(folders.stems));
     result.outputs.set("poses", std::move(folders.poses));
     result.outputs.set("boundaries", std::move(folders.boundaries));
+    result.outputs.set("loops", std::move(folders.loops));
     result.outputs.set("reference_stems", std::move(folders.reference_stems));
     result.outputs.set("reference_poses", std::move(folders.reference_poses));
     result.report = std::move(folders.report);
@@ -330,6 +334,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   registry.add(read_trajectory_stage());
   registry.add(read_views_stage());
   registry.add(read_runs_stage());
+  register_tiles(registry);
 }
 
 }  // namespace bole::io

@@ -46,6 +46,30 @@ io::VectorLayer placed(io::VectorLayer layer, const SurveyData& d) {
   return layer;
 }
 
+// The path with its times in the coordinate system: easting, northing, height (of the plot where none is known).
+Table global_path(const Trajectory& trajectory, const GlobalFrame& place) {
+  std::vector<double> time, easting, northing, height;
+  for (const auto& pose : trajectory.poses) {
+    const Eigen::Vector3d p = place.to_global(pose.T_target_sensor.translation());
+    time.push_back(pose.time_s);
+    easting.push_back(p.x());
+    northing.push_back(p.y());
+    height.push_back(p.z());
+  }
+  Table t;
+  t.set("time_s", std::move(time));
+  t.set("easting_m", std::move(easting));
+  t.set("northing_m", std::move(northing));
+  t.set(place.heights_known ? "height_m" : "z_m", std::move(height));
+  return t;
+}
+
+std::vector<render::StemShape> global_shapes(std::vector<render::StemShape> shapes, const GlobalFrame& place) {
+  for (auto& shape : shapes)
+    for (auto& p : shape.axis) p = place.to_global(p);
+  return shapes;
+}
+
 void write_layers(const std::filesystem::path& path, const SurveyData& d) {
   const std::string crs = d.crs_wkt();
   std::vector<io::VectorLayer> layers{io::point_layer("stems", *d.stems, crs)};
@@ -110,6 +134,12 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   if (o.tables && d.trajectory != nullptr)
     exports.push_back(
         {"trajectory.tum", [&d](const auto& path, const Run&, Report&) { io::write_tum(path, *d.trajectory); }});
+  if (o.tables && d.trajectory != nullptr && d.place)
+    exports.push_back(
+        {"trajectory_global.csv", [&d](const auto& path, const Run&, Report&) {
+           const io::Decimals decimals{{"time_s", 6}, {"easting_m", 4}, {"northing_m", 4}, {"height_m", 4}, {"z_m", 4}};
+           io::write_table(path, global_path(*d.trajectory, *d.place), decimals);
+         }});
   const auto add_raster = [&](const char* file, const Raster* raster) {
     if (o.tables && raster != nullptr)
       exports.push_back({file, [raster, &d](const auto& path, const Run& run, Report&) {
@@ -144,6 +174,12 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
     add_shapes("stems.ply", stems_ply);
     add_shapes("stems.vtp", stems_vtp);
     add_shapes("stem_curves.vtp", stem_curves_vtp);
+    // Coordinates of seven digits need doubles: VTK XML has them, programs that read OBJ and PLY mostly do not.
+    if (d.place)
+      exports.push_back({"stems_global.vtp", [&d](const auto& path, const Run&, Report&) {
+                           const auto shapes = render::stem_shapes(d.kept_stems(), d.sections);
+                           write_text_file(path, stems_vtp(global_shapes(shapes, *d.place)));
+                         }});
   }
   if (o.cloud && d.points != nullptr)
     exports.push_back({cloud_file(o.cloud_format), [&d](const auto& path, const Run& run, Report& report) {

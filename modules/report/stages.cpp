@@ -5,10 +5,11 @@
 #include "report/make_report.h"
 #include "report/plant_report.h"
 #include "report/revisit_report.h"
-#include "report/rows_report.h"
+#include "report/rows/rows_report.h"
 #include "report/sample_report.h"
 #include "report/steering_report.h"
 #include "report/survey_data.h"
+#include "report/tile_report.h"
 
 namespace bole::report {
 
@@ -35,6 +36,7 @@ void register_result_names() {
                               "diameter_classes.csv",
                               "diameters.csv",
                               "edits.csv",
+                              "evidence.csv",
                               "field.json",
                               "growth.csv",
                               "growth_values.csv",
@@ -57,10 +59,12 @@ void register_result_names() {
                               "plot_values.csv",
                               "pose_graph.csv",
                               "positions.csv",
+                              "priors.csv",
                               "reference_trajectory.tum",
                               "reference_trees.csv",
                               "rejected.csv",
                               "report.html",
+                              "row_matches.csv",
                               "rows.csv",
                               "rows.geojson",
                               "rows.gpkg",
@@ -87,6 +91,7 @@ void register_result_names() {
                               "stems.obj",
                               "stems.ply",
                               "stems.vtp",
+                              "stems_global.vtp",
                               "strays.csv",
                               "survey.xlsx",
                               "tally.html",
@@ -94,6 +99,7 @@ void register_result_names() {
                               "traits.csv",
                               "trajectories.csv",
                               "trajectory.tum",
+                              "trajectory_global.csv",
                               "tree_values.csv"});
 }
 
@@ -113,7 +119,9 @@ void register_stages(pipeline::StageRegistry& registry) {
       "reference_trees.csv and reference_trajectory.tum that it was compared with, survey.xlsx, "
       "trajectory.tum, plot_values.csv, diameter_classes.csv, height_curve.csv, tree_values.csv, loops.csv, "
       "odometry.csv, loop_candidates.csv, pose_graph.csv, cloud.laz, "
-      "dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, check.json and check.html with the check of the map, the "
+      "dem.tif, slope.tif, chm.tif, plot.gpkg, stems.geojson, trajectory_global.csv and stems_global.vtp where the "
+      "plot "
+      "was georeferenced, check.json and check.html with the check of the map, the "
       "stems as solids (OBJ, PLY, VTP), the figures, tally.html to take into the plot, and report.html, one page that "
       "holds everything: what was surveyed and whether it may be signed, values of the plot, trees to look at, the "
       "stem "
@@ -133,6 +141,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   registry.add(sample_report_stage());
   registry.add(plant_report_stage());
   registry.add(compare_report_stage());
+  registry.add(tile_report_stage());
 }
 
 }  // namespace bole::report

@@ -81,7 +81,7 @@ std::string vtp(const Cells& c, bool lines, const std::string& point_data) {
 }  // namespace
 
 std::string stems_obj(const std::vector<render::StemShape>& stems) {
-  std::string text = "# stems as tapered tubes, metres\n";
+  std::string text = "# stems as tapered tubes, metres, axes of the stem table (x_m, y_m, z_m)\n";
   std::size_t first = 1;  // OBJ counts from one
   for (const auto& t : tubes_of(stems)) {
     fmt::format_to(std::back_inserter(text), "o tree_{}\n", t.tree_id);
@@ -110,7 +110,8 @@ std::string stems_ply(const std::vector<render::StemShape>& stems) {
     first += t.points.size();
   }
   return fmt::format(
-             "ply\nformat ascii 1.0\ncomment stems as tapered tubes, metres\nelement vertex {}\nproperty double "
+             "ply\nformat ascii 1.0\ncomment stems as tapered tubes, metres, axes of the stem table (x_m, y_m, "
+             "z_m)\nelement vertex {}\nproperty double "
              "x\nproperty double y\nproperty double z\nelement face {}\nproperty list uchar int "
              "vertex_indices\nproperty int tree_id\nend_header\n",
              first, count) +

@@ -77,14 +77,14 @@ Axes axes_of(const SurveyData& data) {
   return data.points != nullptr ? data.points->axes : Axes::unknown;
 }
 
-bool has_numbers(const Table& table, std::string_view column) {
+bool is_numeric(const Table& table, std::string_view column) {
   const auto* values = table.find(column);
   return values != nullptr && !std::holds_alternative<std::vector<std::string>>(*values);
 }
 
 std::shared_ptr<const Table> with_counted(const Table& stems, const CountingRule& rule) {
   const auto columns = {"x_m", "y_m", "dbh_cm"};
-  if (!std::ranges::all_of(columns, [&](const char* c) { return has_numbers(stems, c); })) return nullptr;
+  if (!std::ranges::all_of(columns, [&](const char* c) { return is_numeric(stems, c); })) return nullptr;
   std::vector<std::int64_t> counted(stems.rows(), 0);
   for (const auto i : counted_rows(stems, rule)) counted[i] = 1;
   auto out = std::make_shared<Table>(stems);

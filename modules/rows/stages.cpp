@@ -2,8 +2,10 @@
 #include "pipeline/stage.h"
 #include "rows/core/edits/apply_row_edits.h"
 #include "rows/core/frame/frame_filters.h"
-#include "rows/core/frame/frame_plants.h"
+#include "rows/core/frame/mean_shift.h"
+#include "rows/core/frame/place_stems.h"
 #include "rows/core/frame/sensor_pose.h"
+#include "rows/core/frame/trunk_centres.h"
 #include "rows/core/rows/find_rows.h"
 #include "rows/core/rows/hedge_rows.h"
 
@@ -99,13 +101,16 @@ pipeline::StageType trunks() {
   type.source = paper;
   type.inputs = {{"points", DataKind::cloud, "Points with the column plant.", false, {}},
                  {"dense", DataKind::cloud, "The levelled frame before it was thinned; for centre = face.", true, {}}};
-  type.outputs = {{"stems", DataKind::table, "Centres: tree_id, x_m, y_m, layers, points, diameter_cm.", false, {}}};
+  type.outputs = {{"stems", DataKind::table, "Centres: tree_id, x_m, y_m, layers, points, diameter_cm.", false, {}},
+                  {"points", DataKind::cloud, "Points of the trunks, with the column plant.", false, {}}};
+  type.version = 2;
   type.options = &option_table(static_cast<const TrunkOptions*>(nullptr));
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run&) {
     pipeline::StageResult result;
     const PointCloud* dense = inputs.has("dense") ? &inputs.cloud("dense") : nullptr;
-    result.outputs.set("stems",
-                       trunk_centres(inputs.cloud("points"), dense, options.as<TrunkOptions>(), result.report));
+    auto found = trunk_centres(inputs.cloud("points"), dense, options.as<TrunkOptions>(), result.report);
+    result.outputs.set("stems", std::move(found.stems));
+    result.outputs.set("points", std::move(found.points));
     return result;
   };
   return type;

@@ -1,8 +1,8 @@
 // Registers the stages of the module steering.
 #include "pipeline/stage.h"
 #include "steering/core/field_test.h"
-#include "steering/core/navigate_track.h"
-#include "steering/core/plan_lines.h"
+#include "steering/core/plan/plan_lines.h"
+#include "steering/core/track/navigate_track.h"
 #include "steering/core/tracking_errors.h"
 #include "steering/core/tuning.h"
 

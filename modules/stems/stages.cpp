@@ -3,6 +3,7 @@
 #include "stems/core/breast_height_slice.h"
 #include "stems/core/edits/apply_edits.h"
 #include "stems/core/measure_stems.h"
+#include "stems/pooled_stages.h"
 
 namespace bole::stems {
 namespace {
@@ -32,12 +33,6 @@ pipeline::StageType slice_stage() {
   return t;
 }
 
-// Of the slice where one is connected: of its facts, so that its points are not looked at.
-double breast_height_of(const DataSet& in) {
-  if (in.has("slice")) return slice_height(in.cloud("slice"));
-  return fact_number(in.cloud("points").facts, facts::breast_height).value_or(usual_breast_height_m);
-}
-
 pipeline::StageType measure_stage() {
   pipeline::StageType t;
   t.name = "stems.measure";
@@ -52,24 +47,16 @@ pipeline::StageType measure_stage() {
       "surface (model); candidates that rays pass through are rejected. Passes of "
       "the walk that disagree by a centimetre or more are first brought together by the stems. Every point gets the id "
       "of its tree.";
-  t.version = 6;
+  t.version = 7;
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
-  t.inputs = {{"points",
-               DataKind::cloud,
-               "A cloud with heights above ground; sensor_x, sensor_y, sensor_z, time and pass are used where present.",
-               false,
-               {arrays::height_above_ground}},
-              {"slice",
-               DataKind::cloud,
-               "The slice that sets breast height; without it 1.3 m, or as the points say.",
-               true,
-               {}},
-              {"dem", DataKind::raster, "Terrain model: breast height is counted from it.", false, {}},
-              {"trajectory",
-               DataKind::trajectory,
-               "Sensor path, for clouds with time but without sensor positions.",
-               true,
-               {}}};
+  t.inputs = measure_ports();
+  t.inputs.push_back(
+      {"priors",
+       DataKind::table,
+       "What all stems say of a cloud that this one is a part of, from stems.pool_priors: taken in place "
+       "of what is learnt from the stems.",
+       true,
+       {}});
   t.outputs = {{"stems", DataKind::table, "One row per stem.", false, {}},
                {"points", DataKind::cloud, "The cloud with tree ids.", false, {arrays::tree_id, arrays::stem}},
                {"sections", DataKind::table, "Circles by height along each stem.", false, {}},
@@ -79,8 +66,10 @@ pipeline::StageType measure_stage() {
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
     pipeline::StageResult result;
     const Trajectory* trajectory = in.has("trajectory") ? &in.trajectory("trajectory") : nullptr;
+    std::optional<PooledPriors> pooled;
+    if (in.has("priors")) pooled = priors_in(in.table("priors"));
     auto survey = measure_stems(in.cloud("points"), breast_height_of(in), in.raster("dem"), trajectory,
-                                options.as<MeasureOptions>(), run);
+                                options.as<MeasureOptions>(), run, pooled ? &*pooled : nullptr);
     result.outputs.set("stems", stem_table(survey));
     result.outputs.set("sections", section_table(survey));
     result.outputs.set("rejected", rejected_table(survey));
@@ -137,10 +126,36 @@ pipeline::StageType edit_stage() {
 
 }  // namespace
 
+// Of the slice where one is connected: of its facts, so that its points are not looked at.
+double breast_height_of(const DataSet& in) {
+  if (in.has("slice")) return slice_height(in.cloud("slice"));
+  return fact_number(in.cloud("points").facts, facts::breast_height).value_or(usual_breast_height_m);
+}
+
+std::vector<pipeline::Port> measure_ports() {
+  return {{"points",
+           DataKind::cloud,
+           "A cloud with heights above ground; sensor_x, sensor_y, sensor_z, time and pass are used where present.",
+           false,
+           {arrays::height_above_ground}},
+          {"slice",
+           DataKind::cloud,
+           "The slice that sets breast height; without it 1.3 m, or as the points say.",
+           true,
+           {}},
+          {"dem", DataKind::raster, "Terrain model: breast height is counted from it.", false, {}},
+          {"trajectory",
+           DataKind::trajectory,
+           "Sensor path, for clouds with time but without sensor positions.",
+           true,
+           {}}};
+}
+
 void register_stages(pipeline::StageRegistry& registry) {
   registry.add(slice_stage());
   registry.add(measure_stage());
   registry.add(edit_stage());
+  register_pooled(registry);
 }
 
 }  // namespace bole::stems

@@ -25,9 +25,14 @@ pipeline::StageResult run_frame(const DataSet& inputs, const OptionSet& options,
                                run.part(0, 0.9));
   run.report(0.9, "Moving the points");
   pipeline::StageResult result;
-  result.outputs.set("points", move_cloud(cloud, frame.T_plot_map, frame.new_origin, frame.axes, run));
-  if (walked)
-    result.outputs.set("trajectory", move_trajectory(inputs.trajectory("trajectory"), frame.T_plot_map, frame.axes));
+  auto moved = move_cloud(cloud, frame.T_plot_map, frame.new_origin, frame.axes, run);
+  if (!frame.by_gravity) moved.facts.erase(std::string(facts::level_sigma.key));
+  result.outputs.set("points", std::move(moved));
+  if (walked) {
+    auto path = move_trajectory(inputs.trajectory("trajectory"), frame.T_plot_map, frame.axes);
+    if (!frame.by_gravity) path.facts.erase(std::string(facts::level_sigma.key));
+    result.outputs.set("trajectory", std::move(path));
+  }
   result.outputs.set("targets", std::move(frame.targets));
   result.report = std::move(frame.report);
   return result;

@@ -178,9 +178,6 @@ class Documents(Toy):
         self.write("campaign.json", '{"pipeline": "toy.json", "pipeline": "toy.json"}')
         self.assertIn("twice", self.run_all(expect=BAD_INPUT))
 
-    def test_tiles_are_refused_with_a_clear_word(self):
-        self.refused({"pipeline": "stem_map_from_cloud", "cloud": "big.laz", "tile_m": 50, "buffer_m": 10}, "cloud, tile_m, buffer_m", "Tiles are not there yet")
-
     def test_inputs_from_a_table_a_folder_and_a_pattern(self):
         for i in (1, 2):
             self.write(f"tables/plot{i}.txt", self.trees(i))

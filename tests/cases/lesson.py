@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs the commands of a lesson in docs/user and compares the numbers in its tables with what they give.
 
-Every code block of the page that begins with `bole ` is run, one after the other, in one folder. lesson_numbers.py says for each number
+Every code block of the page that names no language is run, one after the other, in one folder. lesson_numbers.py says for each number
 that stands in a table of the page where it comes from. A number agrees when it is the program's to the digits that are printed, give or take
 one in the last: another processor may round otherwise.
 """
@@ -23,7 +23,7 @@ PAGES = pathlib.Path(__file__).resolve().parents[2] / "docs/user"
 
 def blocks(page):
     """The code blocks that a student types."""
-    return [b for b in re.findall(r"^```\w*\n(.*?)^```", page, re.M | re.S) if b.startswith("bole ")]
+    return [b for language, b in re.findall(r"^```(\w*)\n(.*?)^```", page, re.M | re.S) if not language]
 
 
 def cells(line):

@@ -110,7 +110,8 @@ class FieldCheckTest : public QObject {
     run();
     const auto as_lines = errors();
     QCOMPARE(as_lines.trees, 12);
-    QVERIFY2(std::abs(as_lines.bias_cm - with_beam.bias_cm - 0.25) < 0.1, qPrintable(QString::number(as_lines.bias_cm)));
+    QVERIFY2(std::abs(as_lines.bias_cm - with_beam.bias_cm - 0.25) < 0.1,
+             qPrintable(QString::number(as_lines.bias_cm)));
     // Step 4: robust weights leave some of the bias, and the beam means nothing to them.
     window.session().undo_stack().undo();
     window.session().undo_stack().undo();

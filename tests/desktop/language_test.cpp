@@ -214,6 +214,14 @@ class LanguageTest : public QObject {
     furniture.grid_step_m = 2;
     furniture.paint = render::PointPaint();
     furniture.paint->title = "tree id";
+    furniture.tree_legend = true;
+    furniture.trees.resize(3);
+    for (const int k : {0, 1, 2}) {
+      furniture.trees[static_cast<std::size_t>(k)].quality =
+          std::array{"good", "fair", "poor"}[static_cast<std::size_t>(k)];
+      furniture.trees[static_cast<std::size_t>(k)].state =
+          std::array{"", "accepted", "rejected"}[static_cast<std::size_t>(k)];
+    }
     for (auto& patch : render::furniture_patches(furniture)) figures.push_back(patch.figure);
     for (const auto& figure : figures) render::screen_overlay(figure, 96, listening);
     QVERIFY2(english.isEmpty(), qPrintable("translate in app/desktop/i18n/figures_zh_CN.ts:\n" + english.join('\n')));

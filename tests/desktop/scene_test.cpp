@@ -52,16 +52,6 @@ class NotingOutputWindow : public vtkOutputWindow {
 };
 vtkStandardNewMacro(NotingOutputWindow)
 
-void write_rows_pipeline(const std::string& path) {
-  std::ofstream(path) << R"({"title": "Rows", "stages": [
-    {"id": "scan", "type": "io.read_cloud", "options": {"file": "cloud.xyz"}},
-    {"id": "ground", "type": "ground.model", "inputs": {"points": "scan.points"}},
-    {"id": "slice", "type": "stems.slice", "inputs": {"points": "ground.points"}},
-    {"id": "stems", "type": "stems.measure", "inputs": {"points": "ground.points", "slice": "slice.slice", "dem": "ground.dem"}},
-    {"id": "rows", "type": "rows.from_stems", "inputs": {"stems": "stems.stems"}},
-    {"id": "redone", "type": "rows.edit", "inputs": {"rows": "rows.rows", "plants": "rows.plants", "lines": "rows.lines", "strays": "rows.strays"}}]})";
-}
-
 std::shared_ptr<const PointCloud> large_cloud(std::size_t points) {
   std::mt19937 random(3);
   std::uniform_real_distribution<float> unit(0, 30);

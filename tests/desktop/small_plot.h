@@ -30,4 +30,26 @@ inline void write_pipeline(const std::string& path) {
     {"id": "edit", "type": "stems.edit", "inputs": {"stems": "stems.stems", "sections": "stems.sections", "points": "stems.points", "slice": "slice.slice"}}]})";
 }
 
+// The same with the place of the plot on the earth, from control points that are still to be given.
+inline void write_placed_pipeline(const std::string& path) {
+  std::ofstream(path) << R"({"title": "Placed", "stages": [
+    {"id": "scan", "type": "io.read_cloud", "options": {"file": "cloud.xyz"}},
+    {"id": "ground", "type": "ground.model", "options": {"method": "tin"}, "inputs": {"points": "scan.points"}},
+    {"id": "slice", "type": "stems.slice", "inputs": {"points": "ground.points"}},
+    {"id": "stems", "type": "stems.measure", "inputs": {"points": "ground.points", "slice": "slice.slice", "dem": "ground.dem"}},
+    {"id": "edit", "type": "stems.edit", "inputs": {"stems": "stems.stems", "sections": "stems.sections", "points": "stems.points", "slice": "slice.slice"}},
+    {"id": "place", "type": "survey.georeference", "inputs": {"stems": "edit.stems", "dem": "ground.dem"}}]})";
+}
+
+// Rows of plants from the stems.
+inline void write_rows_pipeline(const std::string& path) {
+  std::ofstream(path) << R"({"title": "Rows", "stages": [
+    {"id": "scan", "type": "io.read_cloud", "options": {"file": "cloud.xyz"}},
+    {"id": "ground", "type": "ground.model", "inputs": {"points": "scan.points"}},
+    {"id": "slice", "type": "stems.slice", "inputs": {"points": "ground.points"}},
+    {"id": "stems", "type": "stems.measure", "inputs": {"points": "ground.points", "slice": "slice.slice", "dem": "ground.dem"}},
+    {"id": "rows", "type": "rows.from_stems", "inputs": {"stems": "stems.stems"}},
+    {"id": "redone", "type": "rows.edit", "inputs": {"rows": "rows.rows", "plants": "rows.plants", "lines": "rows.lines", "strays": "rows.strays"}}]})";
+}
+
 }  // namespace bole::desktop

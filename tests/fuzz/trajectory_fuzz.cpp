@@ -1,6 +1,7 @@
 // Trajectories of other programs from memory: text with named columns, and SBET.
 #include "fuzz_target.h"
 #include "io/core/tables/named_trajectory.h"
+#include "io/core/tables/sbet_reader.h"
 
 void bole::fuzz::write_seeds(const std::filesystem::path& folder) {
   write_seed(folder, "geoslam", "%time x y z q0 q1 q2 q3 userfields\n1.5 0 0 1 1 0 0 0\n1.6 0.1 0 1 1 0 0 0 7\n");

@@ -2,10 +2,16 @@
 """The figures that the paper on improved LOAM published stand in the program and in the bench that prints its tables: both must
 agree, and go together as far as the print does."""
 
+import contextlib
 import importlib.util
+import io
+import json
 import pathlib
 import re
+import sys
+import tempfile
 import unittest
+from unittest import mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SOURCE = ROOT / "modules/evaluation/core/published.cpp"
@@ -55,6 +61,28 @@ class PublishedFigures(unittest.TestCase):
         for preset in ("best", "orchard", "true", "forest, no loops"):
             self.assertIsNone(module.published(preset, "dbh_bias", "plot1"), preset)
         self.assertIsNone(module.published("loam", "dbh_bias", "demo"))
+
+    def test_the_page_says_what_was_run_and_what_was_not(self):
+        module = bench()
+        run = {"seconds": 120, "errors": [[0.02, 0, 1, 10], [0, 0.01, -1, 20]], "ate_rmse": 0.02}
+        with tempfile.TemporaryDirectory() as folder:
+            work = pathlib.Path(folder)
+            (work / "plot1-1-loam_paper.json").write_text(json.dumps(run))
+            (work / "plot1-1-loam_paper-5hz.json").write_text(json.dumps(run))
+            (work / "plot1-1-forest_paper-5hz.json").write_text(json.dumps({**run, "ended_early": True, "frames": 73}))
+            page = work / "page.md"
+            words = ["slam_tables.py", "--bole", "none", "--work", folder, "--rate", "10", "5", "--plots", "plot1", "--seeds", "1", "--presets",
+                     "loam_paper", "forest_paper", "--budget", "1e-9", "--page", str(page)]
+            with mock.patch.object(sys, "argv", words), contextlib.redirect_stdout(io.StringIO()) as printed:
+                self.assertEqual(module.main(), 0)
+            text = page.read_text()
+        self.assertIn("1 of 4 runs are missing", printed.getvalue())
+        self.assertIn("| 5 Hz | plot1 | loam_paper | 1 of 1 seeds | 2.0 |", text)
+        self.assertIn("| 10 Hz | plot1 | forest_paper | 0 of 1 seeds | - |", text)
+        self.assertIn("| 5 Hz | plot1 | forest_paper | 0 of 1 seeds, 1 lost the track after 73 frames | 2.0 |", text)
+        self.assertNotIn("plot1, forest_paper", text)  # no figures of a part of a walk
+        self.assertIn("0 of the 32 sets", text)
+        self.assertIn("The others were not run", text)
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ namespace bole::synthetic {
 struct InertialErrors {
   Eigen::Vector3d gyroscope_bias = Eigen::Vector3d::Zero(), accelerometer_bias = Eigen::Vector3d::Zero();
   InertialNoise noise;  // without walks
+  unsigned seed = 7;
 };
 
 inline Pose some_mount() {
@@ -34,7 +35,7 @@ inline InertialRecord inertial_record(const std::function<Pose(double)>& T_world
   record.name = "synthetic";
   record.T_sensor_imu = T_sensor_imu;
   if (errors.noise.gyroscope_rad_s_sqrt_hz > 0) record.noise = errors.noise;
-  std::mt19937 random(7);
+  std::mt19937 random(errors.seed);
   std::normal_distribution<double> normal;
   const auto three = [&](double sigma) -> Eigen::Vector3d {
     const double x = normal(random), y = normal(random), z = normal(random);

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "look/icons.h"
 
 namespace bole::desktop {
 namespace {
@@ -49,9 +50,10 @@ QAction* Commands::add(Command command) {
   entry->action = action;
   action->setObjectName(c.id);
   action->setShortcut(c.key);
-  action->setIcon(c.icon);
-  action->setToolTip(c.tip);
+  action->setIcon(c.icon.isNull() ? icon_named(c.id) : c.icon);
+  action->setIconVisibleInMenu(true);
   if (!c.text.isEmpty()) action->setText(c.text);
+  show_tip(*action, c, true);
   if (c.owner != nullptr) action->setShortcutContext(Qt::WidgetShortcut);
   (c.owner != nullptr ? c.owner : &window_)->addAction(action);
   if (c.checked_when) action->setCheckable(true);
@@ -93,6 +95,18 @@ void Commands::trigger(const QString& id) const {
   if (!wanted->isEnabled())
     throw bad_input("the command '" + id.toStdString() + "' is disabled", wanted->toolTip().toStdString());
   wanted->trigger();
+}
+
+// What it does and its key; below them what is missing while it is disabled.
+void Commands::show_tip(QAction& action, const Command& command, bool enabled) {
+  QString tip = command.tip.isEmpty() ? action.text().remove('&').remove(QStringLiteral("…")) : command.tip;
+  if (!command.key.isEmpty()) tip += " (" + command.key.toString(QKeySequence::NativeText) + ")";
+  if (!enabled && !command.enabled_when.needs.isEmpty()) tip += "\n" + command.enabled_when.needs;
+  action.setToolTip(tip);
+}
+
+QString Commands::reason_disabled(const Entry& entry) {
+  return entry.action == nullptr || entry.action->isEnabled() ? QString() : entry.command.enabled_when.needs;
 }
 
 std::vector<Commands::Item> Commands::items(const Place& where) const {
@@ -152,7 +166,7 @@ void Commands::update() {
     if (command.enabled_when.holds) {
       const bool enabled = command.enabled_when.holds();
       entry->action->setEnabled(enabled);
-      entry->action->setToolTip(enabled ? command.tip : command.enabled_when.needs);
+      show_tip(*entry->action, command, enabled);
     }
     if (command.checked_when) entry->action->setChecked(command.checked_when());
   }

@@ -38,6 +38,8 @@ class Commands : public QObject {
     std::optional<Submenu> submenu;
   };
   const std::vector<std::unique_ptr<Entry>>& entries() const { return entries_; }  // in the order of registration
+  // Why it cannot be used now; empty when it can.
+  static QString reason_disabled(const Entry& entry);
   struct Item {
     const Entry* entry;
     int section;
@@ -53,6 +55,7 @@ class Commands : public QObject {
 
  private:
   void refuse_duplicates(const Command& command) const;
+  static void show_tip(QAction& action, const Command& command, bool enabled);
   void refill(QMenu& menu, const Submenu& submenu);
 
   QWidget& window_;

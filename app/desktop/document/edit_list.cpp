@@ -3,6 +3,7 @@
 #include <QDateTime>
 #include <string>
 
+#include "document/edit_words.h"
 #include "document/person.h"
 #include "document/stage_roles.h"
 
@@ -32,7 +33,7 @@ void add_to_list(Session& session, const char* port, Parse parse, const std::vec
   }
   const auto text = to_json(edits);
   parse(text);  // refuses what a file of edits would be refused for
-  session.set_option(editor.id, edits_option, text);
+  session.set_option(editor.id, edits_option, text, edit_words(more));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "base/atomic_file.h"
 #include "document/person.h"
+#include "document/unsaved.h"
 
 namespace bole::desktop {
 
@@ -14,8 +15,10 @@ SignedCommand::SignedCommand(const QString& text) : QUndoCommand(text), note_{pe
 class EditOption : public SignedCommand {
  public:
   EditOption(Session& session, std::string stage, std::string option, OptionValue before, OptionValue after,
-             bool given_before)
-      : SignedCommand(QObject::tr("%1: %2").arg(QString::fromStdString(stage), QString::fromStdString(option))),
+             bool given_before, const QString& what)
+      : SignedCommand(what.isEmpty()
+                          ? QObject::tr("%1: %2").arg(QString::fromStdString(stage), QString::fromStdString(option))
+                          : what),
         session_(session),
         stage_(std::move(stage)),
         option_(std::move(option)),
@@ -52,6 +55,9 @@ Session::Session(QObject* parent) : QObject(parent) {
   connect(&undo_, &QUndoStack::cleanChanged, this, [this](bool clean) {
     if (clean && undo_.count() > 0) discard_recovery();
   });
+  connect(&undo_, &QUndoStack::indexChanged, this, [this](int index) {
+    if (index == 0 && undo_.count() > 0 && !changed()) discard_recovery();
+  });
 }
 
 void Session::open(const QString& path) {
@@ -68,6 +74,12 @@ void Session::recover(const QString& path) {
 void Session::start(pipeline::PipelineDocument document, const QString& path) {
   take(std::move(document), path);
   undo_.resetClean();
+  made_ = true;
+}
+
+bool Session::changed() const {
+  if (!has_document() || undo_.isClean()) return false;
+  return !made_ || undo_.index() > 0;
 }
 
 void Session::change(const QString& what, pipeline::PipelineDocument after) {
@@ -86,12 +98,15 @@ void Session::take(pipeline::PipelineDocument document, const QString& path) {
   undo_.clear();
   undo_.setClean();  // Qt leaves an empty stack as it was: after start() that is not clean
   recovered_ = false;
+  made_ = false;
   protected_ = true;
   Q_EMIT document_replaced();
 }
 
 void Session::discard_recovery() {
-  if (!path_.isEmpty()) QFile::remove(recovery_path(path_));
+  if (path_.isEmpty()) return;
+  QFile::remove(recovery_path(path_));
+  forget_unsaved(path_);
 }
 
 // Called by commands of the stack, through which nothing may be thrown: Qt calls them from its own loop.
@@ -99,6 +114,7 @@ void Session::journal() {
   if (path_.isEmpty()) return;
   try {
     write_text_file(recovery_path(path_).toStdString(), document_->to_json());
+    note_unsaved(path_);
     protected_ = true;
   } catch (const std::exception& e) {
     if (std::exchange(protected_, false)) Q_EMIT unprotected(QString::fromUtf8(e.what()));
@@ -117,16 +133,18 @@ void Session::save(const QString& path) {
   discard_recovery();
   path_ = path;
   recovered_ = false;
+  made_ = false;
   undo_.setClean();
 }
 
-void Session::set_option(const std::string& stage_id, const std::string& option, const OptionValue& value) {
+void Session::set_option(const std::string& stage_id, const std::string& option, const OptionValue& value,
+                         const QString& what) {
   const auto& node = document_->at(stage_id);
   const OptionValue checked = node.type->options->at(option).checked(value);
   const OptionValue before = node.options.get(option);
   if (checked == before) return;
-  undo_.push(new EditOption(*this, stage_id, option, before, checked,
-                            node.given.contains(option)));  // the stack owns it and calls redo()
+  undo_.push(new EditOption(*this, stage_id, option, before, checked, node.given.contains(option),
+                            what));  // the stack owns it and calls redo()
 }
 
 void Session::apply(const std::string& stage_id, const std::string& option, const OptionValue& value, bool given) {

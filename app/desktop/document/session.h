@@ -48,13 +48,17 @@ class Session : public QObject {
   const pipeline::PipelineDocument& document() const { return *document_; }
   QString path() const { return path_; }
 
-  // An edit that can be undone. Throws bole::Error when the option refuses the value.
-  void set_option(const std::string& stage_id, const std::string& option, const OptionValue& value);
+  // An edit that can be undone; the menu calls it `what`, else by stage and option. Throws bole::Error when the option
+  // refuses the value.
+  void set_option(const std::string& stage_id, const std::string& option, const OptionValue& value,
+                  const QString& what = {});
 
   // Puts a changed document in place of the one in hand, as one step of undo that the menu calls `what`.
   void change(const QString& what, pipeline::PipelineDocument after);
 
   QUndoStack& undo_stack() { return undo_; }
+  // Whether something would be lost: not for a document that the program made and in which every edit is undone.
+  bool changed() const;
   EditNote edit_note(int index) const;           // of a command of the stack; of the last step of one that has several
   bool recovered() const { return recovered_; }  // what a crash left, not saved yet
 
@@ -75,6 +79,7 @@ class Session : public QObject {
   QString path_;
   QUndoStack undo_;
   bool recovered_ = false;
+  bool made_ = false;      // by the program, and never saved
   bool protected_ = true;  // the last change could be written to recovery_path()
 };
 

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QObject>
+#include <QRegularExpression>
 #include <QStringList>
 
 namespace bole::desktop {
@@ -10,6 +11,10 @@ namespace {
 QString english_label(const OptionSpec& spec) {
   QString text = QString::fromStdString(spec.name);
   text.replace('_', ' ');
+  for (const char* word : {"dbh", "crs", "imu"}) {
+    static const QString edge = QStringLiteral("\\b%1\\b");
+    text.replace(QRegularExpression(edge.arg(word)), QString(word).toUpper());
+  }
   return text.left(1).toUpper() + text.mid(1);
 }
 

@@ -79,6 +79,7 @@ Survey survey_of(const vtkbridge::RunOutcome& outcome, const Results& results, c
   survey.plants = latest<Table>(outcome, results, "plants");
   survey.lines = latest<Table>(outcome, results, "lines");
   survey.strays = latest<Table>(outcome, results, "strays");
+  survey.plot = latest<Table>(outcome, results, "plot");
   survey.walk = latest<Trajectory>(outcome, results, "trajectory");
   if (survey.points && survey.points == before.points && before.index)
     survey.index = before.index;

@@ -21,6 +21,7 @@ struct Survey {
   std::shared_ptr<const PointIndex> index;  // of `points`
   std::shared_ptr<const Table> stems, sections, matches;
   std::shared_ptr<const Table> rows, plants, lines, strays;  // of plants in rows
+  std::shared_ptr<const Table> plot;                         // boundary and counting rule (cloud/plot_area.h)
   std::shared_ptr<const Trajectory> walk;
 
   // Of a plant, pictured from all sides or as a cloud.

@@ -12,6 +12,30 @@
         </message>
     </context>
     <context>
+        <name>bole::desktop::NextStep</name>
+        <message numerus="yes">
+            <source>%n stem(s)</source>
+            <translation>
+                <numerusform>%n stem</numerusform>
+                <numerusform>%n stems</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n doubtful</source>
+            <translation>
+                <numerusform>%n doubtful</numerusform>
+                <numerusform>%n doubtful</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n decided</source>
+            <translation>
+                <numerusform>%n decided</numerusform>
+                <numerusform>%n decided</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>bole::desktop::PlantForm</name>
         <message numerus="yes">
             <source>%n edit(s)</source>

@@ -91,6 +91,62 @@
             <source>%1, or %2</source>
             <translation>%1,或 %2</translation>
         </message>
+        <message>
+            <source>add stem</source>
+            <translation>添加单木</translation>
+        </message>
+        <message>
+            <source>delete stem</source>
+            <translation>删除单木</translation>
+        </message>
+        <message>
+            <source>move stem</source>
+            <translation>移动单木</translation>
+        </message>
+        <message>
+            <source>change diameter</source>
+            <translation>修改胸径</translation>
+        </message>
+        <message>
+            <source>change height</source>
+            <translation>修改树高</translation>
+        </message>
+        <message>
+            <source>split stem</source>
+            <translation>拆分单木</translation>
+        </message>
+        <message>
+            <source>merge stems</source>
+            <translation>合并单木</translation>
+        </message>
+        <message>
+            <source>accept stem</source>
+            <translation>接受单木</translation>
+        </message>
+        <message>
+            <source>reject stem</source>
+            <translation>拒绝单木</translation>
+        </message>
+        <message>
+            <source>note on stem</source>
+            <translation>单木备注</translation>
+        </message>
+        <message>
+            <source>set species</source>
+            <translation>设置树种</translation>
+        </message>
+        <message>
+            <source>change row</source>
+            <translation>修改行</translation>
+        </message>
+        <message>
+            <source>change plant</source>
+            <translation>修改植株</translation>
+        </message>
+        <message>
+            <source>decide loop closure</source>
+            <translation>判定回环</translation>
+        </message>
     </context>
     <context>
         <name>bole::desktop::ChartView</name>
@@ -632,10 +688,6 @@
             <translation>从扫描到单木分布图</translation>
         </message>
         <message>
-            <source>Open the sample plot</source>
-            <translation>打开示例样地</translation>
-        </message>
-        <message>
             <source>Open a scan, a point cloud or a pipeline…</source>
             <translation>打开扫描数据、点云或处理流程…</translation>
         </message>
@@ -706,6 +758,50 @@
         <message>
             <source>Open a folder with a scan or with views…</source>
             <translation>打开含扫描或视图的文件夹…</translation>
+        </message>
+        <message>
+            <source>All commands…</source>
+            <translation>所有命令…</translation>
+        </message>
+        <message>
+            <source>Open a folder…</source>
+            <translation>打开文件夹…</translation>
+        </message>
+        <message>
+            <source>Try the sample plot</source>
+            <translation>试用示例样地</translation>
+        </message>
+        <message>
+            <source>&lt;b&gt;%1&lt;/b&gt; has changes of %2 that were not saved.</source>
+            <translation>&lt;b&gt;%1&lt;/b&gt; 有 %2 的更改未保存。</translation>
+        </message>
+        <message>
+            <source>Restore</source>
+            <translation>恢复</translation>
+        </message>
+        <message>
+            <source>Discard</source>
+            <translation>放弃</translation>
+        </message>
+        <message>
+            <source>Opened last</source>
+            <translation>最近打开</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>文件</translation>
+        </message>
+        <message>
+            <source>Stem</source>
+            <translation>单木</translation>
+        </message>
+        <message>
+            <source>View</source>
+            <translation>视图</translation>
+        </message>
+        <message>
+            <source>Measure</source>
+            <translation>测量</translation>
         </message>
     </context>
     <context>
@@ -1427,6 +1523,26 @@
             <source>poor</source>
             <translation>较差</translation>
         </message>
+        <message>
+            <source>accepted</source>
+            <translation>已接受</translation>
+        </message>
+        <message>
+            <source>rejected</source>
+            <translation>已拒绝</translation>
+        </message>
+        <message>
+            <source>edited</source>
+            <translation>已编辑</translation>
+        </message>
+        <message>
+            <source>here %1 cm   spread %2 cm   arc %3°</source>
+            <translation>此处 %1 cm   离散 %2 cm   弧 %3°</translation>
+        </message>
+        <message>
+            <source>no circle fits the points here</source>
+            <translation>此处的点拟合不出圆</translation>
+        </message>
     </context>
     <context>
         <name>bole::desktop::StemReview</name>
@@ -1553,7 +1669,7 @@
         </message>
         <message>
             <source>Eye-dome shading</source>
-            <translation>眼罩着色(EDL)</translation>
+            <translation>眼穹光照(EDL)</translation>
         </message>
         <message>
             <source>Darkens hollows when the view rests: shapes stand out</source>
@@ -1622,6 +1738,46 @@
         <message>
             <source>Maximum z</source>
             <translation>最大 z</translation>
+        </message>
+        <message>
+            <source>Tree numbers</source>
+            <translation>树号</translation>
+        </message>
+        <message>
+            <source>With symbols for the quality of the diameter and what was decided</source>
+            <translation>用符号表示胸径质量和审核结果</translation>
+        </message>
+        <message>
+            <source>The colours of numbers; the legend shows them</source>
+            <translation>数值的颜色;图例显示其含义</translation>
+        </message>
+        <message>
+            <source>Usual</source>
+            <translation>默认</translation>
+        </message>
+        <message>
+            <source>Green to yellow (viridis)</source>
+            <translation>绿至黄 (viridis)</translation>
+        </message>
+        <message>
+            <source>Blue to yellow (cividis)</source>
+            <translation>蓝至黄 (cividis)</translation>
+        </message>
+        <message>
+            <source>Rainbow (turbo)</source>
+            <translation>彩虹 (turbo)</translation>
+        </message>
+        <message>
+            <source>Grey</source>
+            <translation>灰度</translation>
+        </message>
+        <message>
+            <source>Blue to red (diverging)</source>
+            <translation>蓝至红 (发散)</translation>
+        </message>
+        <message>
+            <source>Colour map</source>
+            <translation>色带</translation>
         </message>
     </context>
     <context>
@@ -1797,7 +1953,7 @@
         </message>
         <message>
             <source>Eye-dome shading</source>
-            <translation>眼罩着色(EDL)</translation>
+            <translation>眼穹光照(EDL)</translation>
         </message>
         <message>
             <source>Grid in metres</source>
@@ -1886,6 +2042,62 @@
         <message>
             <source>Open a scan, a point cloud, views or a pipeline first.</source>
             <translation>请先打开扫描、点云、视图或处理流程。</translation>
+        </message>
+        <message>
+            <source>Copy rows for a spreadsheet</source>
+            <translation>复制行到电子表格</translation>
+        </message>
+        <message>
+            <source>Worst first</source>
+            <translation>最差的在前</translation>
+        </message>
+        <message>
+            <source>Sorts the table by how little the diameters can be trusted</source>
+            <translation>按胸径的不可信程度排序</translation>
+        </message>
+        <message>
+            <source>Columns</source>
+            <translation>列</translation>
+        </message>
+        <message>
+            <source>From the north</source>
+            <translation>从北面</translation>
+        </message>
+        <message>
+            <source>Save as picture</source>
+            <translation>存为图像</translation>
+        </message>
+        <message>
+            <source>Pictures (*.png *.jpg *.tif)</source>
+            <translation>图像 (*.png *.jpg *.tif)</translation>
+        </message>
+        <message>
+            <source> px</source>
+            <translation> px</translation>
+        </message>
+        <message>
+            <source>Transparent background</source>
+            <translation>透明背景</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <translation>宽度</translation>
+        </message>
+        <message>
+            <source>Save as picture…</source>
+            <translation>存为图像…</translation>
+        </message>
+        <message>
+            <source>Open a scan or a point cloud first.</source>
+            <translation>请先打开扫描或点云。</translation>
+        </message>
+        <message>
+            <source>Tree numbers</source>
+            <translation>树号</translation>
+        </message>
+        <message>
+            <source>Cancelled. What is shown stays as it was.</source>
+            <translation>已取消。显示内容保持不变。</translation>
         </message>
     </context>
     <context>
@@ -2070,6 +2282,641 @@
         <message>
             <source>Strike the selected loop closure out</source>
             <translation>剔除所选回环</translation>
+        </message>
+    </context>
+    <context>
+        <name>Columns</name>
+        <message>
+            <source>Tree</source>
+            <translation>树号</translation>
+        </message>
+        <message>
+            <source>Number of the tree; the same in every file</source>
+            <translation>树的编号,在所有文件中相同</translation>
+        </message>
+        <message>
+            <source>x</source>
+            <translation>x</translation>
+        </message>
+        <message>
+            <source>Position at breast height</source>
+            <translation>胸高处的位置</translation>
+        </message>
+        <message>
+            <source>y</source>
+            <translation>y</translation>
+        </message>
+        <message>
+            <source>Ground z</source>
+            <translation>地面高程</translation>
+        </message>
+        <message>
+            <source>Height of the ground at the stem</source>
+            <translation>树干处的地面高程</translation>
+        </message>
+        <message>
+            <source>DBH</source>
+            <translation>胸径</translation>
+        </message>
+        <message>
+            <source>Diameter at breast height</source>
+            <translation>胸高处的直径</translation>
+        </message>
+        <message>
+            <source>DBH from</source>
+            <translation>胸径下限</translation>
+        </message>
+        <message>
+            <source>Lower end of the 95 % interval of the diameter</source>
+            <translation>胸径 95 % 置信区间的下限</translation>
+        </message>
+        <message>
+            <source>DBH to</source>
+            <translation>胸径上限</translation>
+        </message>
+        <message>
+            <source>Upper end of the 95 % interval of the diameter</source>
+            <translation>胸径 95 % 置信区间的上限</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <translation>树高</translation>
+        </message>
+        <message>
+            <source>Height of the tree; empty where the top was not seen</source>
+            <translation>树高;未观测到树顶时为空</translation>
+        </message>
+        <message>
+            <source>Height at least</source>
+            <translation>树高至少</translation>
+        </message>
+        <message>
+            <source>Highest point of the tree that was seen</source>
+            <translation>观测到的最高点</translation>
+        </message>
+        <message>
+            <source>Top seen</source>
+            <translation>见到树顶</translation>
+        </message>
+        <message>
+            <source>1 where the top of the tree was seen</source>
+            <translation>观测到树顶时为 1</translation>
+        </message>
+        <message>
+            <source>Top</source>
+            <translation>树顶</translation>
+        </message>
+        <message>
+            <source>Whether the top that was found is trusted</source>
+            <translation>找到的树顶是否可信</translation>
+        </message>
+        <message>
+            <source>Lean</source>
+            <translation>倾斜</translation>
+        </message>
+        <message>
+            <source>Angle between the stem and the vertical</source>
+            <translation>树干与铅垂线的夹角</translation>
+        </message>
+        <message>
+            <source>Lean towards</source>
+            <translation>倾斜方向</translation>
+        </message>
+        <message>
+            <source>Direction of the lean, clockwise from north</source>
+            <translation>倾斜的方向,自北顺时针</translation>
+        </message>
+        <message>
+            <source>Taper</source>
+            <translation>尖削度</translation>
+        </message>
+        <message>
+            <source>Decrease of the diameter per metre of height</source>
+            <translation>每升高一米直径的减小量</translation>
+        </message>
+        <message>
+            <source>Arc seen</source>
+            <translation>可见弧</translation>
+        </message>
+        <message>
+            <source>How much of the circumference was seen</source>
+            <translation>观测到的圆周角度</translation>
+        </message>
+        <message>
+            <source>Passes</source>
+            <translation>经过次数</translation>
+        </message>
+        <message>
+            <source>Stretches of the walk that saw the stem</source>
+            <translation>观测到该树干的路段数</translation>
+        </message>
+        <message>
+            <source>Pass spread</source>
+            <translation>各次偏差</translation>
+        </message>
+        <message>
+            <source>Distance between the positions from different passes</source>
+            <translation>各次经过所得位置之间的距离</translation>
+        </message>
+        <message>
+            <source>Residual</source>
+            <translation>残差</translation>
+        </message>
+        <message>
+            <source>Standard deviation of the points from the fitted stem</source>
+            <translation>点到拟合树干的标准差</translation>
+        </message>
+        <message>
+            <source>Wall</source>
+            <translation>点层厚度</translation>
+        </message>
+        <message>
+            <source>Thickness of the layer of points on the bark</source>
+            <translation>树皮上点层的厚度</translation>
+        </message>
+        <message>
+            <source>DBH by girth</source>
+            <translation>围径</translation>
+        </message>
+        <message>
+            <source>Diameter of a circle with the girth of the section</source>
+            <translation>与断面周长相同的圆的直径</translation>
+        </message>
+        <message>
+            <source>Ovality</source>
+            <translation>椭圆度</translation>
+        </message>
+        <message>
+            <source>Difference of the axes of the section, of their mean</source>
+            <translation>断面两轴之差与其均值之比</translation>
+        </message>
+        <message>
+            <source>Base x</source>
+            <translation>基部 x</translation>
+        </message>
+        <message>
+            <source>Position of the stem at the ground</source>
+            <translation>树干在地面处的位置</translation>
+        </message>
+        <message>
+            <source>Base y</source>
+            <translation>基部 y</translation>
+        </message>
+        <message>
+            <source>Crown base</source>
+            <translation>枝下高</translation>
+        </message>
+        <message>
+            <source>Height of the lowest branches</source>
+            <translation>最低枝条的高度</translation>
+        </message>
+        <message>
+            <source>Crown area</source>
+            <translation>冠幅面积</translation>
+        </message>
+        <message>
+            <source>Area of the crown seen from above</source>
+            <translation>树冠的俯视面积</translation>
+        </message>
+        <message>
+            <source>Volume</source>
+            <translation>材积</translation>
+        </message>
+        <message>
+            <source>Volume of the stem</source>
+            <translation>树干的材积</translation>
+        </message>
+        <message>
+            <source>Volume by</source>
+            <translation>材积方法</translation>
+        </message>
+        <message>
+            <source>How the volume was computed</source>
+            <translation>材积的计算方法</translation>
+        </message>
+        <message>
+            <source>Fork</source>
+            <translation>分叉高</translation>
+        </message>
+        <message>
+            <source>Height at which the stem forks</source>
+            <translation>树干分叉处的高度</translation>
+        </message>
+        <message>
+            <source>Points</source>
+            <translation>点数</translation>
+        </message>
+        <message>
+            <source>Points that the fit uses</source>
+            <translation>拟合所用的点数</translation>
+        </message>
+        <message>
+            <source>Sections</source>
+            <translation>断面数</translation>
+        </message>
+        <message>
+            <source>Sections that the fit uses</source>
+            <translation>拟合所用的断面数</translation>
+        </message>
+        <message>
+            <source>Quality</source>
+            <translation>质量</translation>
+        </message>
+        <message>
+            <source>good, fair or poor: how far the diameter can be trusted</source>
+            <translation>good(良)、fair(中)或 poor(差):胸径的可信程度</translation>
+        </message>
+        <message>
+            <source>Reasons</source>
+            <translation>原因</translation>
+        </message>
+        <message>
+            <source>What lowers the quality</source>
+            <translation>降低质量的原因</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>状态</translation>
+        </message>
+        <message>
+            <source>auto, check, accepted, rejected or edited</source>
+            <translation>auto(自动)、check(待查)、accepted(已接受)、rejected(已拒绝)或 edited(已编辑)</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>备注</translation>
+        </message>
+        <message>
+            <source>What a person wrote</source>
+            <translation>人工填写的备注</translation>
+        </message>
+        <message>
+            <source>Species</source>
+            <translation>树种</translation>
+        </message>
+        <message>
+            <source>Species of the tree</source>
+            <translation>树木的树种</translation>
+        </message>
+        <message>
+            <source>Easting</source>
+            <translation>东坐标</translation>
+        </message>
+        <message>
+            <source>In the coordinate system of the plot</source>
+            <translation>样地坐标系中的坐标</translation>
+        </message>
+        <message>
+            <source>Northing</source>
+            <translation>北坐标</translation>
+        </message>
+        <message>
+            <source>Position error</source>
+            <translation>位置误差</translation>
+        </message>
+        <message>
+            <source>Standard error of the position</source>
+            <translation>位置的标准误差</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::CommandPalette</name>
+        <message>
+            <source>Type a few letters of what you want to do</source>
+            <translation>输入想做的事的几个字</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::FirstLook</name>
+        <message>
+            <source>%1 × %2 × %3 m</source>
+            <translation>%1 × %2 × %3 m</translation>
+        </message>
+        <message>
+            <source>%1 points</source>
+            <translation>%1 个点</translation>
+        </message>
+        <message>
+            <source>a single tree</source>
+            <translation>单株树</translation>
+        </message>
+        <message>
+            <source>flown, no stems seen</source>
+            <translation>机载,未见树干</translation>
+        </message>
+        <message>
+            <source>about %1 stems</source>
+            <translation>约 %1 株</translation>
+        </message>
+        <message>
+            <source>no coordinate system</source>
+            <translation>无坐标系</translation>
+        </message>
+        <message>
+            <source>%1 frames</source>
+            <translation>%1 帧</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>%1 rings</source>
+            <translation>%1 线</translation>
+        </message>
+        <message>
+            <source>with inertial unit</source>
+            <translation>有惯性单元</translation>
+        </message>
+        <message>
+            <source>no inertial unit</source>
+            <translation>无惯性单元</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::NextStep</name>
+        <message>
+            <source>Cancel the run</source>
+            <translation>取消运行</translation>
+        </message>
+        <message>
+            <source>Measure the stems</source>
+            <translation>测量单木</translation>
+        </message>
+        <message>
+            <source>Find the rows</source>
+            <translation>查找植株行</translation>
+        </message>
+        <message>
+            <source>Measure the plant</source>
+            <translation>测量植株</translation>
+        </message>
+        <message>
+            <source>Run the pipeline</source>
+            <translation>运行处理流程</translation>
+        </message>
+        <message>
+            <source>Open the report</source>
+            <translation>打开报告</translation>
+        </message>
+        <message>
+            <source>Write survey and report</source>
+            <translation>输出调查结果和报告</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n stem(s)</source>
+            <translation>
+                <numerusform>%n 株单木</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n doubtful</source>
+            <translation>
+                <numerusform>%n 株可疑</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n decided</source>
+            <translation>
+                <numerusform>%n 株已定</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Look at the next doubtful stem</source>
+            <translation>查看下一株可疑单木</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::TableModel</name>
+        <message>
+            <source>Column %1 in files and filters</source>
+            <translation>文件和筛选中的列名:%1</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::TablePanel</name>
+        <message>
+            <source>All columns in their usual order</source>
+            <translation>全部列,按默认顺序</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::Bookmarks</name>
+        <message>
+            <source>Bookmark this view…</source>
+            <translation>将此视图加入书签…</translation>
+        </message>
+        <message>
+            <source>Bookmark</source>
+            <translation>书签</translation>
+        </message>
+        <message>
+            <source>Name of the view</source>
+            <translation>视图名称</translation>
+        </message>
+        <message>
+            <source>View %1</source>
+            <translation>视图 %1</translation>
+        </message>
+        <message>
+            <source>Bookmarked views</source>
+            <translation>书签视图</translation>
+        </message>
+        <message>
+            <source>Delete bookmark</source>
+            <translation>删除书签</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::ControlTable</name>
+        <message>
+            <source>Point</source>
+            <translation>点</translation>
+        </message>
+        <message>
+            <source>Easting (m)</source>
+            <translation>东坐标 (m)</translation>
+        </message>
+        <message>
+            <source>Northing (m)</source>
+            <translation>北坐标 (m)</translation>
+        </message>
+        <message>
+            <source>Height (m)</source>
+            <translation>高程 (m)</translation>
+        </message>
+        <message>
+            <source>x in the plot (m)</source>
+            <translation>样地 x (m)</translation>
+        </message>
+        <message>
+            <source>y in the plot (m)</source>
+            <translation>样地 y (m)</translation>
+        </message>
+        <message>
+            <source>Residual east (cm)</source>
+            <translation>东向残差 (cm)</translation>
+        </message>
+        <message>
+            <source>north (cm)</source>
+            <translation>北向 (cm)</translation>
+        </message>
+        <message>
+            <source>up (cm)</source>
+            <translation>高程 (cm)</translation>
+        </message>
+        <message>
+            <source>Off the others (cm)</source>
+            <translation>与其他点之差 (cm)</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>备注</translation>
+        </message>
+        <message>
+            <source>Name of a target of the plot (centre, north), or any name where x and y are given</source>
+            <translation>样地标靶的名称(centre、north);给出 x、y 时可为任意名称</translation>
+        </message>
+        <message>
+            <source>In the coordinate system above</source>
+            <translation>采用上方的坐标系</translation>
+        </message>
+        <message>
+            <source>Optional; three or more heights level the plot</source>
+            <translation>可选;三个及以上高程可将样地调平</translation>
+        </message>
+        <message>
+            <source>Place of the point in the plot, where it is not a target</source>
+            <translation>点在样地中的位置(该点不是标靶时)</translation>
+        </message>
+        <message>
+            <source>Given minus adjusted</source>
+            <translation>给定值减平差值</translation>
+        </message>
+        <message>
+            <source>Distance from where the other points put this one, and the limit for a good point</source>
+            <translation>与其他点推算位置的距离,以及合格点的限值</translation>
+        </message>
+        <message>
+            <source>What the adjustment says of the point</source>
+            <translation>平差对该点的说明</translation>
+        </message>
+        <message>
+            <source>%1 of %2</source>
+            <translation>%1 / %2</translation>
+        </message>
+        <message>
+            <source>left out</source>
+            <translation>已剔除</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::PlaceForm</name>
+        <message>
+            <source>Place on the earth</source>
+            <translation>地理位置</translation>
+        </message>
+        <message>
+            <source>Projected coordinate system of the points and of all exports: an EPSG code or WKT</source>
+            <translation>控制点和所有导出结果的投影坐标系:EPSG 代码或 WKT</translation>
+        </message>
+        <message>
+            <source>Give the plot this place</source>
+            <translation>应用到样地</translation>
+        </message>
+        <message>
+            <source>Coordinate system</source>
+            <translation>坐标系</translation>
+        </message>
+        <message>
+            <source>Add a point</source>
+            <translation>添加点</translation>
+        </message>
+        <message>
+            <source>Ctrl+V in the table pastes rows of a spreadsheet</source>
+            <translation>在表中按 Ctrl+V 可粘贴电子表格的行</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>移除</translation>
+        </message>
+        <message>
+            <source>The selected points</source>
+            <translation>所选的点</translation>
+        </message>
+        <message>
+            <source>From a file…</source>
+            <translation>从文件…</translation>
+        </message>
+        <message>
+            <source>A table with name, easting_m, northing_m, height_m</source>
+            <translation>含 name、easting_m、northing_m、height_m 的表格</translation>
+        </message>
+        <message>
+            <source>Control points</source>
+            <translation>控制点</translation>
+        </message>
+        <message>
+            <source>Tables (*.csv *.txt)</source>
+            <translation>表格 (*.csv *.txt)</translation>
+        </message>
+        <message>
+            <source>Centre and compass…</source>
+            <translation>中心与罗盘…</translation>
+        </message>
+        <message>
+            <source>One point and a bearing instead: the options of the stage</source>
+            <translation>改用一个点和一个方位角:见该步骤的参数</translation>
+        </message>
+        <message>
+            <source>Place on the earth…</source>
+            <translation>地理位置…</translation>
+        </message>
+        <message>
+            <source>Open a pipeline with a stage that georeferences.</source>
+            <translation>请先打开含地理配准步骤的处理流程。</translation>
+        </message>
+        <message>
+            <source>Control points, their coordinate system and the residuals</source>
+            <translation>控制点、坐标系与残差</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::PlanMap</name>
+        <message>
+            <source>Plan map</source>
+            <translation>平面图</translation>
+        </message>
+        <message>
+            <source>Open a scan or a point cloud first.</source>
+            <translation>请先打开扫描或点云。</translation>
+        </message>
+        <message>
+            <source>From above, north up, with tree numbers; drag to move</source>
+            <translation>俯视,北向上,显示树号;拖动平移</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::PlotBoundary</name>
+        <message>
+            <source>Move the plot boundary</source>
+            <translation>移动样地边界</translation>
+        </message>
+        <message>
+            <source>Run a pipeline with a stage that gives the plot its boundary.</source>
+            <translation>请先运行含样地边界步骤的处理流程。</translation>
+        </message>
+        <message>
+            <source>Drag its centre; shape and size are options of the stage</source>
+            <translation>拖动其中心;形状和大小是该步骤的参数</translation>
+        </message>
+        <message>
+            <source>Drag the centre of the plot.</source>
+            <translation>拖动样地的中心。</translation>
+        </message>
+        <message>
+            <source>move the plot boundary</source>
+            <translation>移动样地边界</translation>
         </message>
     </context>
 </TS>

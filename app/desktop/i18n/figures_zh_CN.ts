@@ -155,5 +155,25 @@
             <source>a colour for each plant</source>
             <translation>每个植株一种颜色</translation>
         </message>
+        <message>
+            <source>good</source>
+            <translation>良好</translation>
+        </message>
+        <message>
+            <source>fair</source>
+            <translation>一般</translation>
+        </message>
+        <message>
+            <source>poor</source>
+            <translation>较差</translation>
+        </message>
+        <message>
+            <source>accepted</source>
+            <translation>已接受</translation>
+        </message>
+        <message>
+            <source>rejected</source>
+            <translation>已拒绝</translation>
+        </message>
     </context>
 </TS>

@@ -12,7 +12,7 @@
             <translation>匹配距离</translation>
         </message>
         <message>
-            <source>Dbh gate</source>
+            <source>DBH gate</source>
             <translation>胸径差上限</translation>
         </message>
         <message>
@@ -959,11 +959,11 @@
             <translation>胸径变化容差</translation>
         </message>
         <message>
-            <source>Min dbh</source>
+            <source>Min DBH</source>
             <translation>起测胸径</translation>
         </message>
         <message>
-            <source>Max dbh</source>
+            <source>Max DBH</source>
             <translation>最大胸径</translation>
         </message>
         <message>
@@ -1135,7 +1135,7 @@
             <translation>惯性单元的时间偏移</translation>
         </message>
         <message>
-            <source>Imu</source>
+            <source>IMU</source>
             <translation>惯性单元(IMU)</translation>
         </message>
         <message>
@@ -1155,7 +1155,7 @@
             <translation>测站位置</translation>
         </message>
         <message>
-            <source>Crs</source>
+            <source>CRS</source>
             <translation>坐标参考系</translation>
         </message>
         <message>
@@ -1547,7 +1547,7 @@
             <translation>控制点文件</translation>
         </message>
         <message>
-            <source>Crs</source>
+            <source>CRS</source>
             <comment>survey.georeference</comment>
             <translation>坐标参考系</translation>
         </message>
@@ -1745,7 +1745,7 @@
             <translation>存疑断面积上限</translation>
         </message>
         <message>
-            <source>Min missed dbh</source>
+            <source>Min missed DBH</source>
             <translation>漏测单木起测直径</translation>
         </message>
         <message>
@@ -2240,12 +2240,8 @@
             <translation>写出 report.html。</translation>
         </message>
         <message>
-            <source>Draw the row map and write it as PNG, SVG and PDF.</source>
-            <translation>绘制种植行图并写成 PNG、SVG 和 PDF。</translation>
-        </message>
-        <message>
-            <source>Width of the map.</source>
-            <translation>图的宽度。</translation>
+            <source>Maximum distance between a plant and its reference plant.</source>
+            <translation>植株与其参考植株之间的最大距离。</translation>
         </message>
         <message>
             <source>Resolution of the PNG.</source>
@@ -3040,8 +3036,8 @@
             <translation>横切面的厚度。</translation>
         </message>
         <message>
-            <source>What gives the vertical. stems: their mean direction, the ground where there are too few; ground: its plane, for level plots only; none: z is up already.</source>
-            <translation>由什么确定铅垂方向。单木(stems):单木的平均方向,单木太少时用地面;地面(ground):地面的平面,仅用于平坦样地;不调平(none):z 已经向上。</translation>
+            <source>What gives the vertical. auto: gravity where the map was made with an inertial unit that tells it to 0.3 deg, else the stems; gravity: z is up, as the unit told; stems: their mean direction, the ground where there are too few; ground: its plane, for level plots only; none: z is up already.</source>
+            <translation>由什么确定铅垂方向。自动(auto):若建图时惯性单元给出的重力方向精确到 0.3 度,则用重力,否则用单木;重力(gravity):z 已按惯性单元向上;单木(stems):单木的平均方向,单木太少时用地面;地面(ground):地面的平面,仅用于平坦样地;不调平(none):z 已经向上。</translation>
         </message>
         <message>
             <source>Returns stronger than this come from retro-reflective surfaces (Velodyne: above 100).</source>

@@ -6,6 +6,7 @@
 static void init_resources() {
   Q_INIT_RESOURCE(desktop);
   Q_INIT_RESOURCE(translations);
+  Q_INIT_RESOURCE(icons);
 }
 
 namespace bole::desktop {

@@ -18,6 +18,7 @@
 
 #include "base/core/path_list.h"
 #include "document/stage_words.h"
+#include "look/last_folder.h"
 #include "pipeline/skipped_stages.h"
 
 namespace bole::desktop {
@@ -316,9 +317,11 @@ QWidget* PropertiesPanel::editor_for(const OptionValue& value, const OptionSpec&
   connect(browse, &QPushButton::clicked, this, [this, line, spec = &spec] {
     // A list of folders grows by one with every choice.
     const bool list = is_path_list(*spec);
-    const QString path = list ? QFileDialog::getExistingDirectory(this, tr("Add folder"))
-                              : QFileDialog::getOpenFileName(this, tr("Open file"), line->text());
+    const QString begin = line->text().isEmpty() || list ? last_folder("open") : line->text();
+    const QString path = list ? QFileDialog::getExistingDirectory(this, tr("Add folder"), begin)
+                              : QFileDialog::getOpenFileName(this, tr("Open file"), begin);
     if (path.isEmpty()) return;
+    note_folder("open", path);
     const bool more = list && !line->text().trimmed().isEmpty();
     commit(spec->name, (more ? line->text() + path_separator + path : path).toStdString());
   });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace bole::desktop {
 namespace {
@@ -140,6 +141,30 @@ RowFilter::RowFilter(QObject* parent) : QSortFilterProxyModel(parent) { setSortR
 void RowFilter::set_table(const Table* table) {
   table_ = table;
   conditions_ = RowCondition::parse(text_.toStdString(), table_);
+}
+
+void RowFilter::set_ranks(std::vector<std::size_t> ranks) {
+  ranks_ = std::move(ranks);
+  if (by_rank_) invalidate();
+}
+
+void RowFilter::sort_by_rank() {
+  by_rank_ = true;
+  QSortFilterProxyModel::sort(0, Qt::AscendingOrder);
+  invalidate();
+}
+
+void RowFilter::sort(int column, Qt::SortOrder order) {
+  if (column < 0) return sort_by_rank();
+  const bool again = std::exchange(by_rank_, false);
+  QSortFilterProxyModel::sort(column, order);
+  if (again) invalidate();
+}
+
+bool RowFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {
+  const auto a = static_cast<std::size_t>(left.row()), b = static_cast<std::size_t>(right.row());
+  if (by_rank_ && a < ranks_.size() && b < ranks_.size()) return ranks_[a] < ranks_[b];
+  return QSortFilterProxyModel::lessThan(left, right);
 }
 
 void RowFilter::set_text(const QString& text) {

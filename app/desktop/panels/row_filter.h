@@ -37,15 +37,22 @@ class RowFilter : public QSortFilterProxyModel {
  public:
   explicit RowFilter(QObject* parent);
   void set_table(const Table* table);
+  // The order of the rows while no column is sorted by: rank[row], the smallest first.
+  void set_ranks(std::vector<std::size_t> ranks);
   void set_text(const QString& text);
+  void sort_by_rank();
+  void sort(int column, Qt::SortOrder order) override;
   QString problem() const;  // a sentence about the first condition that no row can meet
 
  protected:
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+  bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 
  private:
   const Table* table_ = nullptr;
   QString text_;
+  std::vector<std::size_t> ranks_;
+  bool by_rank_ = false;
   std::vector<RowCondition> conditions_;
 };
 

@@ -34,6 +34,7 @@ struct Job {
   int opened = 0;  // how many documents were opened until then, this one included
   QString output_dir;
   bool sinks = true;  // stages that write files run too
+  bool asked = true;  // by a person, and not to show an edit
   QDateTime asked_at;
 
   JobState state = JobState::waiting;

@@ -82,7 +82,7 @@ std::shared_ptr<Job> job_for(std::shared_ptr<const pipeline::PipelineDocument> d
   job->title = QString::fromStdString(document->title());
   job->document = std::move(document);
   job->output_dir = output_dir;
-  job->sinks = sinks;
+  job->sinks = job->asked = sinks;
   job->stages = job->document->in_order().size();
   return job;
 }
@@ -97,10 +97,11 @@ Runner::~Runner() {
   if (thread_.joinable()) thread_.join();
 }
 
-int Runner::start(const QString& output_dir, bool sinks) {
+int Runner::start(const QString& output_dir, bool sinks, bool asked) {
   auto job = job_for(std::make_shared<const pipeline::PipelineDocument>(session_.document()), output_dir, sinks);
   job->path = session_.path();
   job->opened = documents_;
+  job->asked = sinks || asked;
   return queue(std::move(job), {});
 }
 
@@ -108,7 +109,7 @@ int Runner::queue(std::shared_ptr<Job> job, Deliver deliver) {
   job->id = ++last_id_;
   job->asked_at = QDateTime::currentDateTime();
   const auto before = std::find_if(jobs_.rbegin(), jobs_.rend(), [&](const auto& j) {
-    return j->sinks && j->document->source() == job->document->source();
+    return j->asked && j->document->source() == job->document->source();
   });
   if (before != jobs_.rend()) job->changes = changes_text(changed_options(*(*before)->document, *job->document));
   if (jobs_.size() >= max_jobs && jobs_.front()->over()) jobs_.erase(jobs_.begin());
@@ -185,11 +186,11 @@ void Runner::work(const std::stop_token& cancel_token, const Job& job, const Sur
       this, [this, result] { end(result); }, Qt::QueuedConnection);
 }
 
-// Where nothing is seen yet, the map is shown as soon as it has heights: its stems follow. What is made from views is
-// shown whenever there is more of it. Called as `next` begins, while what it takes is in memory.
+// Where nothing was seen before the run, the map is shown as soon as it has heights, and again whenever a stage added
+// to it: stems, heights, places. What is made from views is shown whenever there is more of it. Called as `next`
+// begins, while what it takes is in memory.
 void Runner::show_early(const pipeline::StageNode& next, int job, Survey& seen, const std::stop_token& cancel_token) {
   const bool grows = grows_in_sight(executor_->document());
-  if (!seen.empty() && !grows) return;
   vtkbridge::RunOutcome so_far;
   for (const auto* node : executor_->document().in_order()) {
     if (node->id == next.id) break;
@@ -202,7 +203,7 @@ void Runner::show_early(const pipeline::StageNode& next, int job, Survey& seen, 
   const auto results = collect(*executor_, so_far, true);
   if (!grows && !std::ranges::any_of(results, [](const auto& r) { return has_heights(r.second); })) return;
   auto now = survey_to_show(so_far, results, seen, cancel_token);
-  if (now.empty() || (now.points == seen.points && now.poses == seen.poses)) return;
+  if (now.empty() || (now.points == seen.points && now.poses == seen.poses && now.stems == seen.stems)) return;
   seen = std::move(now);
   QMetaObject::invokeMethod(
       this,

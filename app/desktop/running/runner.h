@@ -24,7 +24,8 @@ class Runner : public QObject {
   bool running() const { return current_ != nullptr; }
 
   // Queues the document of the session as it stands now; gives the id of the job.
-  int start(const QString& output_dir, bool sinks = true);
+  // `asked`: by a person, also where no files are written.
+  int start(const QString& output_dir, bool sinks = true, bool asked = false);
 
   using Deliver = std::function<void(const JobResult&)>;
   // The result of a job that is over, as it was: from memory or by running its document again, which the cache answers.
@@ -42,7 +43,7 @@ class Runner : public QObject {
   std::shared_ptr<const Job> current() const { return current_; }
 
   // What is shown: of the last run that gave something to look at. The three belong together; while the first run goes
-  // on, survey() is its map alone.
+  // on, survey() is what its stages gave so far.
   const Survey& survey() const { return survey_; }
   const vtkbridge::RunOutcome& outcome() const { return outcome_; }
   const Results& results() const { return results_; }
@@ -54,7 +55,7 @@ class Runner : public QObject {
   void progressed(const QString& stage, double fraction, const QString& what);
   void finished(const vtkbridge::RunOutcome& outcome, const Results& results);  // empty: of another document
   void fetch_failed(const QString& why);
-  void survey_begun();  // there is a map where there was nothing; its stems will come with finished()
+  void survey_begun();  // there is a map where there was nothing, or a stage added to it: stems, heights
   void job_began(int id);
   void job_ended(int id);
   void jobs_changed();                                             // state or progress of any

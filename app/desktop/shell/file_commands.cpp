@@ -5,6 +5,7 @@
 #include <QUrl>
 
 #include "document/file_kinds.h"
+#include "look/last_folder.h"
 #include "shell/main_window.h"
 #include "shell/recent_files.h"
 #include "shell/shell_commands.h"
@@ -12,21 +13,23 @@
 namespace bole::desktop {
 namespace {
 
+const QString opening = QStringLiteral("open");  // whose folder is kept
 constexpr int open_section = 0, save_section = 1, export_section = 2, quit_section = 3;
 
 QString pipelines() { return MainWindow::tr("Pipelines") + " (" + pipeline_endings() + ")"; }
 
 void ask_and_open(MainWindow* w) {
   const QString path = QFileDialog::getOpenFileName(
-      w, MainWindow::tr("Open"), {},
+      w, MainWindow::tr("Open"), last_folder(opening),
       MainWindow::tr("Pipelines, clouds, scans") + " (" + all_endings() + ");;" + pipelines());
-  if (!path.isEmpty()) w->open(path);
+  if (!path.isEmpty()) w->open(note_folder(opening, path));
 }
 
 // Scans and views are folders too, which a dialog for files does not give.
 void ask_and_open_folder(MainWindow* w) {
-  const QString path = QFileDialog::getExistingDirectory(w, MainWindow::tr("Open a folder with a scan or with views…"));
-  if (!path.isEmpty()) w->open(path);
+  const QString path = QFileDialog::getExistingDirectory(w, MainWindow::tr("Open a folder with a scan or with views…"),
+                                                         last_folder(opening));
+  if (!path.isEmpty()) w->open(note_folder(opening, path));
 }
 
 void ask_and_save(MainWindow* w) {
@@ -45,7 +48,8 @@ void open_report(MainWindow* w) {
   const QString report = w->last_export() + "/report.html";
   if (!QFileInfo::exists(report))
     throw bad_input("there is no report yet", "a run of the whole pipeline", "Press Run, or export the survey");
-  QDesktopServices::openUrl(QUrl::fromLocalFile(report));
+  if (!QDesktopServices::openUrl(QUrl::fromLocalFile(report)))
+    throw failure("no program here opens " + report.toStdString(), "a browser", "Copy the path and open it elsewhere");
 }
 
 void fill_recent(MainWindow* w, QMenu& menu) {
@@ -63,12 +67,10 @@ void add_file_commands(MainWindow& window) {
   auto* w = &window;
   const auto add = [&](const char* id, const QString& text, const QKeySequence& key, int section, const When& when,
                        const std::function<void()>& act) {
-    w->commands().add({.id = id,
-                       .text = text,
-                       .key = key,
-                       .places = {in_menu(Menu::file, section)},
-                       .act = act,
-                       .enabled_when = when});
+    std::vector<Place> places{in_menu(Menu::file, section)};
+    if (section <= save_section && std::string_view(id) != "document.save_as")
+      places.push_back(in_tool_bar("file_bar"));
+    w->commands().add({.id = id, .text = text, .key = key, .places = places, .act = act, .enabled_when = when});
   };
   add("document.open", MainWindow::tr("Open…"), QKeySequence::Open, open_section, {}, [w] { ask_and_open(w); });
   add("document.open_folder", MainWindow::tr("Open folder…"), QKeySequence("Ctrl+Shift+O"), open_section, {},

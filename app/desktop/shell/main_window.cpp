@@ -12,20 +12,22 @@
 #include <QMimeData>
 #include <QScreen>
 #include <QStatusBar>
-#include <QToolBar>
 #include <QVBoxLayout>
 #include <utility>
 
 #include "document/file_kinds.h"
 #include "document/new_document.h"
 #include "features/features.h"
+#include "look/focus_ring.h"
 #include "panels/pipeline_panel.h"
 #include "panels/properties_panel.h"
 #include "panels/table_panel.h"
 #include "shell/layouts.h"
 #include "shell/recent_files.h"
 #include "shell/shell_commands.h"
-#include "shell/welcome.h"
+#include "shell/start_page.h"
+#include "shell/thumbnails.h"
+#include "shell/tool_bars.h"
 #include "views/chart_view.h"
 #include "views/profile_view.h"
 #include "views/scene_view.h"
@@ -42,7 +44,9 @@ MainWindow::MainWindow() {
   install_shell_commands(*this);
   install_features(*this);
   make_menus();
-  show_welcome(*this);
+  show_start_page(*this);
+  keep_thumbnails(*this);
+  new FocusRing(*this);
   commands().update();
 }
 
@@ -55,10 +59,7 @@ void MainWindow::make_menus() {
     commands().fill(*menus_[i], in_menu(which));
     menus_[i]->menuAction()->setVisible(!menus_[i]->isEmpty());
   }
-  auto* bar = addToolBar(tr("Run"));
-  bar->setObjectName("run_bar");
-  bar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  for (const auto& item : commands().items(in_tool_bar("run_bar"))) bar->addAction(item.entry->action);
+  make_tool_bars(*this);
 }
 
 void MainWindow::make_docks() {
@@ -69,6 +70,7 @@ void MainWindow::make_docks() {
   connect(filter, &QLineEdit::textChanged, this, [this](const QString& text) {
     if (const QString problem = stems().filter(text); !problem.isEmpty()) statusBar()->showMessage(problem, 10000);
   });
+  connect(this, &Workbench::document_opened, filter, &QLineEdit::clear);
   auto* layout = new QVBoxLayout(table);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(2);
@@ -77,7 +79,11 @@ void MainWindow::make_docks() {
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);  // forms are tall
   docks().add("pipeline", tr("Pipeline"), &pipeline(), Qt::LeftDockWidgetArea);
   docks().add("options", tr("Options"), &properties(), Qt::LeftDockWidgetArea);
-  docks().add("stems", tr("Stems"), table, Qt::BottomDockWidgetArea);
+  // Behind another tab it would go on taking the keys.
+  connect(docks().add("stems", tr("Stems"), table, Qt::BottomDockWidgetArea), &QDockWidget::visibilityChanged, filter,
+          [filter](bool on) {
+            if (!on) filter->clearFocus();
+          });
   auto* below = docks().add("chart", tr("Chart"), &chart(), Qt::BottomDockWidgetArea);
   docks().add("log", tr("Log"), &log(), Qt::LeftDockWidgetArea);
   docks().add("slice", tr("Slice"), &slice(), Qt::RightDockWidgetArea);
@@ -92,20 +98,34 @@ void MainWindow::open(const QString& path) {
     take_up(path, {});
   else
     take_up(pipeline_path_for_file(path), [&] { return document_for_file(path); });
+  // The pipeline, once it is kept: until then what it was made for.
+  note_recent(QFileInfo::exists(session().path()) ? session().path() : path);
   document_is_open();
-  if (QFileInfo::exists(session().path())) note_recent_file(session().path());
+}
+
+void MainWindow::restore(const QString& path) {
+  if (!may_lose_changes()) return;
+  session().recover(path);
+  if (QFileInfo::exists(path)) note_recent(path);
+  document_is_open();
+}
+
+void MainWindow::note_recent(const QString& path) {
+  recent_entry_ = QFileInfo(path).absoluteFilePath();
+  note_recent_file(path);
 }
 
 void MainWindow::open_made(const pipeline::PipelineDocument& document, const QString& path) {
   if (!may_lose_changes()) return;
   take_up(path, [&] { return document; });
+  recent_entry_.clear();
   document_is_open();
   refresh();
 }
 
 void MainWindow::save(const QString& path) {
   session().save(path);
-  note_recent_file(path);
+  note_recent(path);
   Q_EMIT document_saved();
 }
 
@@ -124,20 +144,18 @@ void MainWindow::take_up(const QString& path, const std::function<pipeline::Pipe
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  if (runner().running() &&
+  const bool asks = std::exchange(asks_before_close_, true);
+  if (asks && runner().running() &&
       QMessageBox::question(this, tr("A run is under way"), tr("Cancel the run and close?")) != QMessageBox::Yes)
     return event->ignore();
-  if (!may_lose_changes()) return event->ignore();
+  if (asks && !may_lose_changes()) return event->ignore();
   runner().cancel_all();
   keep_layout(*this);
   event->accept();
 }
 
 bool MainWindow::may_lose_changes() {
-  if (!session().has_document() || session().undo_stack().isClean()) return true;
-  const bool made_here =
-      !QFileInfo::exists(session().path()) && session().undo_stack().count() == 0 && !session().recovered();
-  if (made_here) return true;  // a pipeline that the program made and nobody changed
+  if (!session().changed()) return true;
   const auto answer =
       QMessageBox::question(this, tr("Changes are not saved"), tr("Save the changes to the pipeline?"),
                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);

@@ -17,6 +17,14 @@ class MainWindow : public Workbench {
   void open_made(const pipeline::PipelineDocument& document, const QString& path) override;
   void save(const QString& path);
 
+  // The recent file that the document in hand is listed as; empty for one that the program made by itself.
+  const QString& recent_entry() const { return recent_entry_; }
+  // Opens what a crash left of it, without asking.
+  void restore(const QString& path);
+
+  // The next close() asks nothing: what is not saved is kept for the next window, a run is cancelled.
+  void close_without_question() { asks_before_close_ = false; }
+
   QMenu* menu(Menu which) { return menus_[static_cast<std::size_t>(which)]; }
 
  protected:
@@ -28,10 +36,13 @@ class MainWindow : public Workbench {
   bool may_lose_changes();  // asks what to do with unsaved changes; false: keep the document
   // Opens the pipeline at `path`, or what a crash left of it; without a file there, the one that `make` gives.
   void take_up(const QString& path, const std::function<pipeline::PipelineDocument()>& make);
+  void note_recent(const QString& path);
   void make_docks();
   void make_menus();
 
   std::array<QMenu*, std::size(all_menus)> menus_{};
+  QString recent_entry_;
+  bool asks_before_close_ = true;
 };
 
 }  // namespace bole::desktop

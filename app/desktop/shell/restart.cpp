@@ -1,34 +1,53 @@
 #include "shell/restart.h"
 
 #include <QApplication>
+#include <QFileInfo>
 #include <QSettings>
 
+#include "base/atomic_file.h"
 #include "look/language.h"
 #include "shell/main_window.h"
 
 namespace bole::desktop {
 namespace {
 
-constexpr const char *language_setting = "language", *reopen_setting = "reopen";
+constexpr const char *language_setting = "language", *reopen_setting = "reopen", *results_setting = "reopen_results";
+
+// What is not in the file of the document goes where a crash would leave it: the next window takes it from there.
+void keep_for_the_next_window(const Session& session) {
+  if (session.changed() || session.recovered() || !QFileInfo::exists(session.path()))
+    write_text_file(Session::recovery_path(session.path()).toStdString(), session.document().to_json());
+  QSettings().setValue(reopen_setting, session.path());
+}
 
 }  // namespace
 
 void restart_in_language(MainWindow& window, const QString& code) {
   if (code == current_language()) return;
   QApplication::setQuitOnLastWindowClosed(false);
+  if (window.session().has_document()) keep_for_the_next_window(window.session());
+  window.close_without_question();
   if (window.close()) {
     QSettings().setValue(language_setting, code);
-    QSettings().setValue(reopen_setting, window.session().path());
+    QSettings().setValue(results_setting, !window.runner().survey().empty());
     QCoreApplication::exit(restart_code);
   }
   QApplication::setQuitOnLastWindowClosed(true);
 }
 
-QString take_file_to_reopen() {
+bool reopen(MainWindow& window) {
   QSettings settings;
   const QString path = settings.value(reopen_setting).toString();
+  const bool results = settings.value(results_setting).toBool();
   settings.remove(reopen_setting);
-  return path;
+  settings.remove(results_setting);
+  if (path.isEmpty()) return false;
+  if (QFileInfo::exists(Session::recovery_path(path)))
+    window.restore(path);
+  else
+    window.open(path);
+  if (results) window.refresh();
+  return true;
 }
 
 }  // namespace bole::desktop

@@ -11,7 +11,8 @@ namespace {
 void add_edit_commands(MainWindow& window) {
   auto& stack = window.session().undo_stack();
   const auto add = [&](const char* id, const QKeySequence& key, QAction* made) {
-    window.commands().add({.id = id, .key = key, .places = {in_menu(Menu::edit)}, .made = made});
+    window.commands().add(
+        {.id = id, .key = key, .places = {in_menu(Menu::edit), in_tool_bar("file_bar", 1)}, .made = made});
   };
   add("edit.undo", QKeySequence::Undo, stack.createUndoAction(&window, MainWindow::tr("Undo")));
   add("edit.redo", QKeySequence::Redo, stack.createRedoAction(&window, MainWindow::tr("Redo")));
@@ -58,6 +59,7 @@ void install_shell_commands(MainWindow& window) {
   add_layout_menus(window);
   add_theme_commands(window);
   add_language_commands(window);
+  add_palette_command(window);
   add_help_commands(window);
 }
 

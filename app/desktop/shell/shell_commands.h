@@ -13,6 +13,7 @@ void add_mode_commands(MainWindow& window);
 void add_layout_menus(MainWindow& window);
 void add_theme_commands(MainWindow& window);
 void add_language_commands(MainWindow& window);
+void add_palette_command(MainWindow& window);
 void add_help_commands(MainWindow& window);
 
 // The section of the menu View for settings of the whole window, below what features put there.

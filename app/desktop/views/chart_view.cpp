@@ -25,7 +25,7 @@ QString chart_title(const render::ChartType& chart) {
 
 ChartView::ChartView(Selection& selection, QWidget* parent)
     : QWidget(parent), selection_(selection), charts_(new QComboBox(this)) {
-  setMinimumSize(220, 180);
+  setMinimumSize(180, 110);
   for (const auto& chart : render::linked_charts()) charts_->addItem(chart_title(chart), to_qt(chart.id));
   connect(charts_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] { rebuild(); });
   connect(&selection_, &Selection::changed, this, &ChartView::rebuild);

@@ -10,7 +10,7 @@
 namespace bole::desktop {
 
 FigureView::FigureView(const QString& empty_text, QWidget* parent) : QWidget(parent), empty_text_(empty_text) {
-  setMinimumHeight(120);
+  setMinimumHeight(90);
 }
 
 void FigureView::show_figure(std::function<render::Figure(double)> make) {

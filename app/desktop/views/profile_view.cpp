@@ -10,7 +10,7 @@
 namespace bole::desktop {
 
 ProfileView::ProfileView(Selection& selection, QWidget* parent) : QWidget(parent), selection_(selection) {
-  setMinimumSize(140, 200);
+  setMinimumSize(120, 130);
   setCursor(Qt::SplitVCursor);
   connect(&selection_, &Selection::changed, this, &ProfileView::reload);
 }

@@ -44,6 +44,13 @@ void zoom_towards(vtkCamera* camera, const Eigen::Vector2d& off, double aspect, 
   camera->SetParallelScale(camera->GetParallelScale() / factor);
 }
 
+void centre_on(vtkCamera* camera, const Eigen::Vector3d& target) {
+  const Eigen::Vector3d eye =
+      target + Eigen::Vector3d(camera->GetPosition()) - Eigen::Vector3d(camera->GetFocalPoint());
+  camera->SetFocalPoint(target.data());
+  camera->SetPosition(eye.data());
+}
+
 void approach(vtkCamera* camera, const Eigen::Vector3d& target, double distance_m) {
   Eigen::Vector3d from = -Eigen::Vector3d(camera->GetDirectionOfProjection());
   from.z() = std::clamp(from.z(), 0.15, 0.6);

@@ -7,6 +7,8 @@
 
 namespace bole::desktop {
 
+inline constexpr double approach_m = 7;  // from which a stem is looked at
+
 double half_height_m(vtkCamera* camera);  // of what is seen at the depth of the focal point
 
 // Where north (y) points on the screen, counter-clockwise from up.
@@ -14,6 +16,9 @@ double north_on_screen_rad(vtkCamera* camera);
 
 // Towards what lies at `off` (-1 to 1 from the centre) on the screen, at the depth of the focal point.
 void zoom_towards(vtkCamera* camera, const Eigen::Vector2d& off, double aspect, double factor);
+
+// To a place in the middle of the view; direction and scale stay.
+void centre_on(vtkCamera* camera, const Eigen::Vector3d& target);
 
 // To a place that is then seen from the side, from no further off than `distance_m`.
 void approach(vtkCamera* camera, const Eigen::Vector3d& target, double distance_m);

@@ -12,7 +12,7 @@
 namespace bole::desktop {
 namespace {
 
-constexpr double pick_reach_px = 6, click_px = 4, grip_px = 9, line_px = 5;
+constexpr double pick_reach_px = 6, click_px = 4, grip_px = 9, line_px = 5, behind_m = 0.5;
 constexpr double outline_step_px = 2, outline_tolerance_px = 1;
 const std::string outline_layer = "outline";
 
@@ -64,8 +64,16 @@ void SceneView::set_place_taker(const QObject* taker, Takes takes) {
   Q_EMIT place_taker_changed(taker);
 }
 
+// A stem is opaque: what is seen there is its bark.
+bool SceneView::behind_a_stem(std::uint32_t point, const QPoint& at) {
+  const auto view = pick_view();
+  const auto stem = render::pick_stem(view, shapes_, to_pixels(at), 0);
+  const auto place = render::on_screen(view, survey_.points->position(point));
+  return stem && place && place->depth > stem->depth + behind_m;
+}
+
 void SceneView::take_place(const QPoint& at) {
-  if (const auto point = point_at(at)) {
+  if (const auto point = point_at(at); point && !behind_a_stem(*point, at)) {
     Q_EMIT place_taken(exact_position(*survey_.points, *point), *point);
   } else if (const auto ground = render::on_plane(pick_view(), to_pixels(at), whole().lo.z())) {
     Q_EMIT place_taken(*ground, QVariant());
@@ -152,6 +160,22 @@ void SceneView::mousePressEvent(QMouseEvent* event) {
   if (!dragged_ && path_px_.empty()) QVTKOpenGLNativeWidget::mousePressEvent(event);
 }
 
+// What was clicked twice becomes the centre of rotation, and of the view.
+void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || place_taker_ != nullptr) return;
+  double_clicked_ = true;
+  Eigen::Vector3d place;
+  if (const auto point = point_at(event->pos()))
+    place = survey_.points->position(*point) - origin_;
+  else if (const auto stem = render::pick_stem(pick_view(), shapes_, to_pixels(event->pos()), 0))
+    place = stem_place_of(stem->tree_id) - origin_;
+  else
+    return;
+  centre_on(renderer_->GetActiveCamera(), place);
+  begin_motion();
+  redraw();
+}
+
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
   if (!path_px_.empty()) {
     const Eigen::Vector2d at = to_pixels(event->pos());
@@ -180,9 +204,10 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     return;
   }
   QVTKOpenGLNativeWidget::mouseReleaseEvent(event);
-  const bool click = event->button() == Qt::LeftButton && (has_survey() || !cameras().empty()) &&
-                     (event->pos() - pressed_at_).manhattanLength() <= click_px;
-  if (!click) return;
+  const bool still = (event->pos() - pressed_at_).manhattanLength() <= click_px;
+  if (still && event->button() == Qt::RightButton) Q_EMIT menu_asked(mapToGlobal(event->pos()));
+  if (!still || event->button() != Qt::LeftButton || (!has_survey() && cameras().empty())) return;
+  if (std::exchange(double_clicked_, false)) return;
   if (place_taker_ != nullptr) return take_place(event->pos());
   if (!click_drawing(event->pos())) pick(event->pos());
 }

@@ -5,7 +5,6 @@
 #include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkInteractorStyleTerrain.h>
 #include <vtkMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindowInteractor.h>
@@ -19,12 +18,14 @@
 
 #include "look/pixels.h"
 #include "render/draw/color.h"
+#include "render/draw/color_maps.h"
 #include "render/scene/actors.h"
 #include "render/scene/eye_dome.h"
 #include "render/scene/stem_shapes.h"
 #include "render/scene/view_camera.h"
 #include "views/clip_handles.h"
 #include "views/figure_picture.h"
+#include "views/map_style.h"
 #include "views/scene_camera.h"
 
 namespace bole::desktop {
@@ -34,7 +35,6 @@ constexpr double target_s = 0.042;  // of a frame while the camera moves, until 
 constexpr FramePace::Budget at_rest{4'000'000, 500'000};
 constexpr int rest_ms = 150;
 constexpr double highlight_m = 0.12;  // by how much the ring of the selected tree stands off its bark
-constexpr double approach_m = 7;
 
 }  // namespace
 
@@ -48,14 +48,15 @@ SceneView::SceneView(Selection& selection, QWidget* parent)
   setRenderWindow(window);
   follow_theme();
   setMouseTracking(true);
-  vtkNew<vtkInteractorStyleTerrain> style;  // z stays up
-  interactor()->SetInteractorStyle(style);
-  style->AddObserver(vtkCommand::StartInteractionEvent, this, &SceneView::begin_motion);
+  style_ = vtkSmartPointer<MapStyle>::New();
+  interactor()->SetInteractorStyle(style_);
+  style_->AddObserver(vtkCommand::StartInteractionEvent, this, &SceneView::begin_motion);
   renderer_->AddObserver(vtkCommand::StartEvent, this, &SceneView::before_frame);
   renderer_->AddObserver(vtkCommand::EndEvent, this, &SceneView::after_frame);
   clip_handles_ = std::make_unique<ClipHandles>(interactor(), renderer_, [this](const render::ClipBox& box) {
     settings_.clip = box;
     layer_.set_clip(box);
+    clip_stems();
     begin_motion();
     Q_EMIT settings_changed();
   });
@@ -142,9 +143,12 @@ void SceneView::set_settings(const ViewSettings& settings) {
   const auto same = [](const std::optional<render::Interval>& a, const std::optional<render::Interval>& b) {
     return a.has_value() == b.has_value() && (!a || (a->lo == b->lo && a->hi == b->hi));
   };
-  if (before.color != settings_.color || !same(before.color_range, settings_.color_range)) repaint_points();
+  if (before.color != settings_.color || before.color_map != settings_.color_map ||
+      !same(before.color_range, settings_.color_range))
+    repaint_points();
   if (!same(before.filter.height, settings_.filter.height)) layer_.set_filter(settings_.filter);
   layer_.set_clip(settings_.clip);
+  clip_stems();
   layer_.set_point_size(settings_.point_size_px);
   if (clip_handles_->shown()) show_clip_handles(settings_.clip.has_value());
   if (before.grid != settings_.grid) rebuild_grid();
@@ -174,6 +178,9 @@ void SceneView::repaint_points() {
   if (!survey_.points) return;
   auto paint = render::paint_by(*survey_.points, settings_.color);
   if (settings_.color_range && paint.kind == render::PointPaint::Kind::map) paint.range = *settings_.color_range;
+  if (const auto* map = render::color_map_named(settings_.color_map);
+      map && paint.kind == render::PointPaint::Kind::map)
+    paint.map = map;
   layer_.set_paint(std::move(paint));
 }
 
@@ -226,6 +233,17 @@ void SceneView::measure_extent() {
   extent_known_ = whole_.lo.allFinite() && whole_.hi.allFinite();
 }
 
+render::ClipBox SceneView::everything() const {
+  if (!survey_.points || survey_.points->empty()) return whole_;
+  Eigen::Vector3f lo = survey_.points->positions().front(), hi = lo;
+  for (const auto& p : survey_.points->positions())
+    if (p.allFinite()) {
+      lo = lo.cwiseMin(p);
+      hi = hi.cwiseMax(p);
+    }
+  return {survey_.points->origin + lo.cast<double>(), survey_.points->origin + hi.cast<double>()};
+}
+
 int SceneView::actor_count() {
   return renderer_->GetActors()->GetNumberOfItems() - static_cast<int>(layer_.actors()) +
          (survey_.points && !survey_.points->empty() ? 1 : 0);
@@ -256,6 +274,8 @@ void SceneView::rebuild() {
   if (survey_.walk && survey_.walk->poses.size() > 1)
     add(render::path_actor(*survey_.walk, origin_, 0.05,
                            look_.dark ? render::on_dark(render::ink::path) : render::hex(0x1f6f9f)));
+  take_trees();
+  clip_stems();
   rebuild_grid();
   draw_highlight();
   draw_cameras();
@@ -438,7 +458,8 @@ void SceneView::place_furniture() {
   f.north = settings_.north && (axes == Axes::plot || axes == Axes::global);
   for (const auto& fact : facts_) f.notes.push_back(fact.toStdString());
   const auto view = pick_view();
-  const double mm = mm_per_px / devicePixelRatioF();
+  const double mm = f.width_mm / std::max(1, renderWindow()->GetSize()[0]);  // a picture may have more pixels
+  add_trees(f, view, mm);
   SceneDrawing mark;
   if (picked_ && survey_.points && *picked_ < survey_.points->size()) mark.marks = {survey_.points->position(*picked_)};
   add_to(f, mark, view, mm);
@@ -477,13 +498,20 @@ void SceneView::set_parallel(bool on) {
 
 bool SceneView::parallel() const { return renderer_->GetActiveCamera()->GetParallelProjection() != 0; }
 
-void SceneView::zoom_to_tree(std::int64_t id) {
-  const auto it = std::ranges::find(shapes_, id, &render::StemShape::tree_id);
-  if (it != shapes_.end()) zoom_to(it->breast_height);
+Eigen::Vector3d SceneView::centre() const {
+  return Eigen::Vector3d(renderer_->GetActiveCamera()->GetFocalPoint()) + origin_;
+}
+
+Eigen::Vector3d SceneView::stem_place_of(std::int64_t tree) const {
+  const auto it = std::ranges::find(shapes_, tree, &render::StemShape::tree_id);
+  return it == shapes_.end() ? centre() : it->breast_height;
 }
 
 void SceneView::zoom_to(const Eigen::Vector3d& place) {
-  approach(renderer_->GetActiveCamera(), place - origin_, approach_m);
+  if (flat())
+    centre_on(renderer_->GetActiveCamera(), place - origin_);
+  else
+    approach(renderer_->GetActiveCamera(), place - origin_, approach_m);
   redraw();
 }
 

@@ -26,13 +26,16 @@
 #include "views/frame_pace.h"
 #include "views/scene_drawing.h"
 #include "views/scene_outline.h"
+#include "views/view_point.h"
 #include "views/view_settings.h"
 
+class QImage;
 class vtkActor;
 
 namespace bole::desktop {
 
 class ClipHandles;
+class MapStyle;
 
 // Where a perspective view is seen from.
 struct SceneEye {
@@ -59,6 +62,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   const render::PointPaint& paint() const { return layer_.paint(); }
   void set_filter(const render::PointFilter& filter);
   const render::ClipBox& whole() const { return whole_; }       // around the cloud but its strays
+  render::ClipBox everything() const;                           // around every point; looks at each
   const render::Interval& heights() const { return heights_; }  // above ground, or z, of the cloud but its strays
   void show_clip_handles(bool on);
   bool clip_handles_shown() const;
@@ -68,8 +72,11 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void look_along(const Eigen::Vector3d& direction, const Eigen::Vector3d& up);  // all of the survey
   void set_parallel(bool on);
   bool parallel() const;
+  void set_flat(bool on);  // a drag moves the view in place of turning it
+  bool flat() const;
   void zoom_to_tree(std::int64_t id);
   void zoom_to(const Eigen::Vector3d& place);
+  Eigen::Vector3d centre() const;  // of rotation, world coordinates
 
   // The point under a place of the widget; selects its tree, or the stem there.
   void pick(const QPoint& at);
@@ -96,6 +103,12 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void hide_rendering();
   bool rendering_shown() const { return rendering_; }
 
+  // As it is seen, `width_px` wide; the height follows from the shape of the view. Throws bole::Error for a size that
+  // cannot be drawn.
+  QImage picture(int width_px, bool transparent);
+  ViewPoint view_point() const;
+  void set_view_point(const ViewPoint& point);
+
   int actor_count();  // of things that are shown, the cloud as one
   std::size_t drawn_points() const { return layer_.drawn(); }
   bool refined() const { return complete_ && !moving_; }
@@ -110,7 +123,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void place_taker_changed(const QObject* taker);
   void drawing_clicked(const QString& layer, int drawing);
   void grip_dragged(const QString& layer, int drawing, int grip, const Eigen::Vector3d& at, bool released);
-  void settings_changed();  // by the view: handles of the clip box, another survey
+  void menu_asked(const QPoint& global);  // by a right click
+  void settings_changed();                // by the view: handles of the clip box, another survey
   void index_built();
   void eye_moved();  // or the size of the view changed; after the frame that showed it
 
@@ -120,6 +134,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 
  private:
@@ -127,6 +142,10 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void follow_index();
   void rebuild();
   void repaint_points();
+  void take_trees();
+  void add_trees(render::ViewFurniture& furniture, const render::PickView& view, double sheet_mm_per_px);
+  void clip_stems();
+  bool sees_stem(const Eigen::Vector2d& from, const render::StemShape& stem) const;
   void measure_extent();
   void draw_cameras();
   std::optional<render::ClipBox> all_of_it() const;
@@ -145,7 +164,9 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::optional<std::uint32_t> point_at(const QPoint& at);
   std::optional<Grip> grip_at(const QPoint& at);
   bool click_drawing(const QPoint& at);
+  bool behind_a_stem(std::uint32_t point, const QPoint& at);
   void take_place(const QPoint& at);
+  Eigen::Vector3d stem_place_of(std::int64_t tree) const;  // at breast height; the centre when it is not drawn
   void draw_outline();
   void take_outline();
   SceneOutline outline_drawn();
@@ -157,10 +178,17 @@ class SceneView : public QVTKOpenGLNativeWidget {
   render::Interval heights_;
   bool extent_known_ = false;
   std::vector<render::StemShape> shapes_;
+  struct SceneTree {
+    std::int64_t id;
+    Eigen::Vector3d place;  // of its number
+    std::string quality, state;
+  };
+  std::vector<SceneTree> trees_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   render::ScreenLook look_;
   render::PointLayer layer_;
   vtkNew<vtkRenderer> renderer_;
+  vtkSmartPointer<MapStyle> style_;
   render::FurnitureLayer furniture_;
   std::vector<vtkSmartPointer<vtkActor>> actors_;
   vtkSmartPointer<vtkActor> highlight_, grid_;
@@ -183,6 +211,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   FramePace pace_;
   std::chrono::steady_clock::time_point frame_start_;
   QPoint pressed_at_;
+  bool double_clicked_ = false;  // the release that follows picks nothing
   std::optional<Grip> dragged_;
 };
 

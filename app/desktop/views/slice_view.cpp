@@ -14,7 +14,8 @@ namespace bole::desktop {
 namespace {
 
 constexpr double circle_grip_px = 8, min_radius_m = 0.01, max_radius_m = 2.5;
-constexpr double start_error_m = 0.05, max_sigma_m = 0.025;  // of the fit: as stems.edit fits an added stem
+constexpr double start_error_m = 0.05, max_sigma_m = 0.025,
+                 same_height_m = 0.05;  // of the fit: as stems.edit fits an added stem
 
 QString quality_text(const std::string& quality) {
   if (quality == "good") return SliceView::tr("good");
@@ -23,11 +24,27 @@ QString quality_text(const std::string& quality) {
   return QString::fromStdString(quality);
 }
 
+std::vector<Eigen::Vector2d> points_near(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& centre,
+                                         double radius_m) {
+  std::vector<Eigen::Vector2d> near;
+  for (const auto& p : points)
+    if (std::abs((p - centre).norm() - radius_m) < 2 * start_error_m) near.push_back(p);
+  return near;
+}
+
+// What a person decided; empty for what the program found.
+QString state_text(const std::string& state) {
+  if (state == "accepted") return SliceView::tr("accepted");
+  if (state == "rejected") return SliceView::tr("rejected");
+  if (state == "edited") return SliceView::tr("edited");
+  return {};
+}
+
 }  // namespace
 
 SliceView::SliceView(Selection& selection, QWidget* parent)
     : QWidget(parent), selection_(selection), height_(new QDoubleSpinBox(this)), thickness_(new QDoubleSpinBox(this)) {
-  setMinimumSize(200, 220);
+  setMinimumSize(150, 130);
   setMouseTracking(true);
   height_->setRange(0, 60);
   height_->setSingleStep(0.1);
@@ -95,8 +112,17 @@ void SliceView::reload(bool keep_view) {
     data_.reach_m = std::max(0.12, 0.75 * (std::isfinite(stem_->dbh_m) ? stem_->dbh_m : 0.2) + 0.04);
   }
   data_ = cut_across(survey_, *stem_, cut_, middle_, data_.reach_m);
+  fit_here();
   write_lines();
   update();
+}
+
+// Away from breast height the diameter of the stem is another one: that of the points in the cut.
+void SliceView::fit_here() {
+  here_.reset();
+  if (!data_.stem || std::abs(cut_.height_m - cut_.breast_height_m) < same_height_m) return;
+  here_ = stems::robust_circle(points_near(data_.points, data_.stem->centre, data_.stem->radius_m),
+                               {data_.stem->centre, data_.stem->radius_m}, start_error_m, max_sigma_m);
 }
 
 void SliceView::write_lines() {
@@ -105,7 +131,10 @@ void SliceView::write_lines() {
   const auto number = [&](const char* name) { return render::numbers_or_nan(stems, name)[row]; };
   const auto text = [](const QString& s) { return s.toStdString(); };
   const auto digits = [](double v, int decimals) { return QString::fromStdString(render::fixed(v, decimals)); };
-  data_.lines = {text(tr("Tree %1   %2").arg(stem_->tree_id).arg(quality_text(data_.quality)))};
+  QString tree = tr("Tree %1   %2").arg(stem_->tree_id).arg(quality_text(data_.quality));
+  if (const auto decided = state_text(render::texts_or_empty(stems, "state")[row]); !decided.isEmpty())
+    tree += "   " + decided;
+  data_.lines = {text(tree)};
   const double lo = number("dbh_lo_cm"), hi = number("dbh_hi_cm");
   QString measured = tr("DBH %1 cm").arg(digits(number("dbh_cm"), 1));
   if (std::isfinite(lo + hi)) measured += "   " + tr("95 %: %1 to %2").arg(digits(lo, 1), digits(hi, 1));
@@ -117,6 +146,12 @@ void SliceView::write_lines() {
                                         digits(fit_->arc_rad * 180 / std::numbers::pi, 0))));
   else if (data_.drawn)
     data_.lines.push_back(text(tr("drawn %1 cm, no fit here").arg(digits(200 * data_.drawn->radius_m, 1))));
+  else if (here_)
+    data_.lines.push_back(text(tr("here %1 cm   spread %2 cm   arc %3°")
+                                   .arg(digits(200 * here_->circle.radius, 1), digits(100 * here_->sigma, 1),
+                                        digits(here_->arc_rad * 180 / std::numbers::pi, 0))));
+  else if (std::abs(cut_.height_m - cut_.breast_height_m) >= same_height_m)
+    data_.lines.push_back(text(tr("no circle fits the points here")));
   else
     data_.lines.push_back(render::texts_or_empty(stems, "reasons")[row]);
 }
@@ -141,7 +176,8 @@ QPointF SliceView::place_of(const Eigen::Vector2d& plan) const {
 SliceView::Grip SliceView::grip_at(const QPoint& at) const {
   if (!stem_) return Grip::none;
   if (adding_) return Grip::add;
-  const double reach = circle_grip_px * mm_per_px / scale().mm_per_metre, off = (to_metres(at) - data_.stem->centre).norm();
+  const double reach = circle_grip_px * mm_per_px / scale().mm_per_metre,
+               off = (to_metres(at) - data_.stem->centre).norm();
   if (off <= std::min(reach, 0.5 * data_.stem->radius_m)) return Grip::centre;
   if (std::abs(off - data_.stem->radius_m) <= reach) return Grip::rim;
   return Grip::none;
@@ -156,7 +192,7 @@ void SliceView::mousePressEvent(QMouseEvent* event) {
       if ((pressed_ - n.centre).norm() <= n.radius_m) return selection_.select(n.tree_id);
     return;
   }
-  if (std::abs(cut_.height_m - cut_.breast_height_m) > 0.05) {
+  if (std::abs(cut_.height_m - cut_.breast_height_m) > same_height_m) {
     Q_EMIT said(tr("Diameters are those at breast height: set the height of the cut to %1 m to edit one.")
                     .arg(cut_.breast_height_m, 0, 'f', 2));
     return;
@@ -177,10 +213,8 @@ void SliceView::drag_to(const Eigen::Vector2d& metres) {
   }
   drawn.radius_m = std::clamp(drawn.radius_m, min_radius_m, max_radius_m);
   data_.drawn = drawn;
-  std::vector<Eigen::Vector2d> near;
-  for (const auto& p : data_.points)
-    if (std::abs((p - drawn.centre).norm() - drawn.radius_m) < 2 * start_error_m) near.push_back(p);
-  fit_ = stems::robust_circle(near, {drawn.centre, drawn.radius_m}, start_error_m, max_sigma_m);
+  fit_ = stems::robust_circle(points_near(data_.points, drawn.centre, drawn.radius_m), {drawn.centre, drawn.radius_m},
+                              start_error_m, max_sigma_m);
   data_.refit.reset();
   if (fit_) data_.refit = render::SliceCircle{drawn.tree_id, fit_->circle.centre, fit_->circle.radius, 0, 0};
   write_lines();

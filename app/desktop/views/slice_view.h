@@ -48,6 +48,7 @@ class SliceView : public QWidget {
  private:
   enum class Grip { none, centre, rim, add };
   void reload(bool keep_view);
+  void fit_here();
   void write_lines();
   QRect sheet() const;
   render::SliceScale scale() const;
@@ -62,7 +63,8 @@ class SliceView : public QWidget {
   CutPlace cut_;
   Eigen::Vector2d middle_ = Eigen::Vector2d::Zero();
   render::StemSliceData data_;
-  std::optional<stems::RobustCircle> fit_;  // while a circle is drawn
+  std::optional<stems::RobustCircle> fit_;   // while a circle is drawn
+  std::optional<stems::RobustCircle> here_;  // away from breast height
   Grip grip_ = Grip::none;
   bool adding_ = false;
   Eigen::Vector2d pressed_ = Eigen::Vector2d::Zero();

@@ -9,7 +9,8 @@
 namespace bole::desktop {
 
 struct ViewSettings {
-  std::string color = "height_above_ground";    // an array of the cloud
+  std::string color = "height_above_ground";  // an array of the cloud
+  std::string color_map;  // of numbers, by its name in render/draw/color_maps.h; empty: that of the array
   std::optional<render::Interval> color_range;  // of numbers; else percentiles of the array
   render::PointFilter filter;
   std::optional<render::ClipBox> clip;
@@ -17,6 +18,7 @@ struct ViewSettings {
   bool eye_dome = false;  // shading of the picture at rest
   bool grid = false;
   bool legend = true, scale_bar = true, north = true;
+  bool trees = true;  // their numbers, with symbols for quality and decisions
 };
 
 }  // namespace bole::desktop

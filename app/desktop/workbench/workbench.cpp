@@ -16,7 +16,7 @@
 namespace bole::desktop {
 namespace {
 
-constexpr int message_ms = 10000;
+constexpr int message_ms = 10000, cancelled_code = 3;
 
 StageMark mark_of(const vtkbridge::StageOutcome& stage) {
   switch (stage.state) {
@@ -68,9 +68,12 @@ void Workbench::connect_document() {
   });
   connect(&session_, &Session::unprotected, this,
           [this](const QString& why) { complain(tr("Changes are not kept until they are saved: %1").arg(why)); });
+  connect(&session_.undo_stack(), &QUndoStack::indexChanged, this, &Workbench::show_title);
+  connect(&session_.undo_stack(), &QUndoStack::cleanChanged, this, &Workbench::show_title);
+  connect(this, &Workbench::document_saved, this, &Workbench::show_title);
   connect(&session_, &Session::option_changed, this, [this](const QString& stage) {
     // An edit of a result, made, undone or redone, is shown at once. Other options wait for Run.
-    if (takes_edits(*session_.document().at(stage.toStdString()).type) && scene_->has_survey())
+    if (takes_edits(*session_.document().at(stage.toStdString()).type) && !run_->survey().empty())
       guarded([&] { refresh(); });
   });
 }
@@ -141,14 +144,25 @@ void Workbench::document_is_open() {
   selection_.select({});
   selection_.select_view({});
   visibility_.show_all();
+  preview_ = {};
+  hint({});  // what was said of the document before
   show_survey({});
   if (const auto height = breast_height_m(session_.document())) {
     slice_->set_breast_height(*height);
     profile_->set_breast_height(*height);
   }
-  setWindowTitle(QString::fromStdString(session_.document().title()) + " - Bole");
+  show_title();
   last_export_ = results_folder();
   Q_EMIT document_opened();
+}
+
+// The file, a mark while it has changes that are not saved, and what the pipeline is called.
+void Workbench::show_title() {
+  if (!session_.has_document()) return;
+  const QString file = QFileInfo(session_.path()).fileName();
+  const QString title = QString::fromStdString(session_.document().title());
+  setWindowTitle(title.isEmpty() ? file + "[*] - Bole" : QString("%1[*] - %2 - Bole").arg(file, title));
+  setWindowModified(session_.changed());
 }
 
 void Workbench::run() {
@@ -159,17 +173,19 @@ void Workbench::run() {
 
 void Workbench::export_to(const QString& folder) { start(true, folder); }
 
+void Workbench::run_without_files() { start(false, results_folder(), true); }
+
 void Workbench::refresh() {
   refresh_again_ = run_->running();
   if (!refresh_again_) start(false, results_folder());
 }
 
-void Workbench::start(bool sinks, const QString& folder) {
+void Workbench::start(bool sinks, const QString& folder, bool asked) {
   if (!session_.has_document()) return;
   for (const auto& problem : pipeline::validate(session_.document()))
     throw bad_input(problem.stage + ": " + problem.message);
   if (sinks) last_export_ = folder;
-  run_->start(folder, sinks);
+  run_->start(folder, sinks, asked);
   Q_EMIT run_started();
 }
 
@@ -178,9 +194,25 @@ QString Workbench::results_folder() const {
   return file.absolutePath() + "/" + file.completeBaseName() + "_results";
 }
 
+void Workbench::show_preview(const Survey& preview, bool elsewhere) {
+  if (!run_->survey().empty()) return;
+  preview_ = preview;
+  preview_elsewhere_ = elsewhere;
+  show_in_scene({});
+  Q_EMIT preview_shown();
+}
+
+// Until there is a survey its preview stands for it in the 3-D view.
+void Workbench::show_in_scene(const Survey& survey) {
+  if (survey.empty() && run_->survey().empty()) return scene_->show_survey(preview_);
+  if (!preview_.empty() && preview_elsewhere_) scene_->show_survey({});  // the camera looks at another place
+  preview_ = {};
+  scene_->show_survey(survey);
+}
+
 void Workbench::show_survey(const Survey& survey) {
   const Survey cuts = visibility_.survey_for(ViewKind::cuts, survey);
-  scene_->show_survey(visibility_.survey_for(ViewKind::scene, survey));
+  show_in_scene(visibility_.survey_for(ViewKind::scene, survey));
   slice_->show_survey(cuts);
   profile_->show_survey(cuts);
   chart_->show_survey(survey);
@@ -193,12 +225,15 @@ void Workbench::show_outcome(const vtkbridge::RunOutcome& outcome) {
     const bool failed = !stage.error.empty();
     const auto& message = failed ? stage.error : stage.record.report.message;
     pipeline_->set_state(QString::fromStdString(stage.record.id), mark_of(stage), QString::fromStdString(message));
-    tell(QString::fromStdString(stage.record.id + ": " + message), failed ? LogLevel::error : LogLevel::info);
+    if (!failed || outcome.exit_code != cancelled_code)  // by the person, who knows
+      tell(QString::fromStdString(stage.record.id + ": " + message), failed ? LogLevel::error : LogLevel::info);
     for (const auto& warning : stage.record.report.warnings)
       tell(QString::fromStdString(stage.record.id + ": " + warning), LogLevel::warning);
   }
   visibility_.take(run_->outcome(), run_->results());
-  hint(outcome.error.empty() ? tr("Done") : QString::fromStdString(outcome.error));
+  hint(outcome.exit_code == cancelled_code ? tr("Cancelled. What is shown stays as it was.")
+       : outcome.error.empty()             ? tr("Done")
+                                           : QString::fromStdString(outcome.error));
   show_survey(run_->survey());
 }
 

@@ -36,9 +36,12 @@ class Workbench : public QMainWindow {
   virtual void open_made(const pipeline::PipelineDocument& document, const QString& path) = 0;
 
   void run();                             // the whole pipeline; waits for runs that were asked for before
-  void refresh();                         // all but the stages that write files; after the current run, if any
+  void run_without_files();               // all but the stages that write files; listed in the history
+  void refresh();                         // the same after an edit, not listed; after the current run, if any
   void export_to(const QString& folder);  // the whole pipeline, its files into that folder
-  QString results_folder() const;         // where a run of the document writes
+  // What the 3-D view shows until a run gives more. `elsewhere`: in other axes than what the run will show.
+  void show_preview(const Survey& preview, bool elsewhere);
+  QString results_folder() const;  // where a run of the document writes
   QString last_export() const { return last_export_; }
 
   Session& session() { return session_; }
@@ -72,6 +75,7 @@ class Workbench : public QMainWindow {
  Q_SIGNALS:
   void document_opened();
   void document_saved();
+  void preview_shown();
   void run_started();
   void survey_shown(const Survey& survey);  // an empty one after a document was opened
 
@@ -80,12 +84,14 @@ class Workbench : public QMainWindow {
 
  private:
   void tell(const QString& text, LogLevel level);
-  void start(bool sinks, const QString& folder);
+  void start(bool sinks, const QString& folder, bool asked = false);
   void connect_document();
   void connect_views();
   void keep_commands_up_to_date();
   void show_outcome(const vtkbridge::RunOutcome& outcome);
   void show_survey(const Survey& survey);
+  void show_in_scene(const Survey& survey);
+  void show_title();
 
   Session session_;
   Selection selection_;
@@ -103,6 +109,8 @@ class Workbench : public QMainWindow {
   LogPanel* log_;
   QString last_export_;
   bool refresh_again_ = false;
+  Survey preview_;  // of a document that was not run yet
+  bool preview_elsewhere_ = false;
 };
 
 }  // namespace bole::desktop

@@ -1,4 +1,4 @@
-"""bole.run: the pipeline objects of Bole in this process (docs/adr/0013-python.md). Nothing is computed here."""
+"""bole.run: the pipeline objects of Bole in this process (docs/adr/0014-python.md). Nothing is computed here."""
 
 import json
 import os

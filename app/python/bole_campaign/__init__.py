@@ -36,15 +36,15 @@ def run(document, out, workers=None, scheduler=None, task=None, memory_gib=None,
 
 def status(out):
     """The rows of the inputs, in the order of the document. Throws CampaignError."""
-    from . import command, states
+    from . import command
 
-    return states.rows_of(command.kept_plan(out))
+    return command.kept_plan(out).rows()
 
 
 def merge(out):
     """Writes stems.csv, campaign.gpkg and campaign.html from what is done so far; returns the rows of the inputs."""
-    from . import client, command, merging
+    from . import client, command
 
     found = command.kept_plan(out)
     with client.only_client(found.out):
-        return merging.merge(found)[0]
+        return found.merge()[0]

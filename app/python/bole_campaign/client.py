@@ -8,7 +8,7 @@ import socket
 import time
 import uuid
 
-from . import attempt, cluster, costs, folders, geopackage, merging, page, planning, states
+from . import attempt, cluster, costs, folders, geopackage, page, planning, states
 from .errors import CANCELLED, FINISHED_EARLY, bad_input, failure
 from .local import LocalWorkers
 from .memory import machine_gib, processors
@@ -114,22 +114,28 @@ class Run:
                 ledger.close()
 
     def _run_with(self, ledger):
-        with self.costs.phase("plan"):
-            looked = [(task, *planning.look_at(task, self.request.get("retry", False))[:2]) for task in self.plan.tasks]
-            self.waiting = [task for task, what, _ in looked if what in planning.TO_RUN]
-            self.ledger = ledger
-            self.rows = {row["input_id"]: row for row in states.rows_of(self.plan)}
-            ledger.write_inputs(list(self.rows.values()))
+        self.ledger = ledger
         asked = 0
-        if self.waiting:
-            asked = self._run_waiting(len(looked))
+        for tasks in self.plan.phases():
+            asked = self._run_phase(tasks)
+            if asked:
+                break
         if asked >= 2:
             print(f"Cancelled. What was done before is kept in {self.plan.out}", flush=True)
             return CANCELLED
         with self.costs.phase("merge"):
-            rows, notes = merging.merge(self.plan, ledger)
+            rows, notes = self.plan.merge(ledger)
         print_end(self.plan, rows, notes)
         return FINISHED_EARLY if asked == 1 and any(row["state"] in ("missing", "changed") for row in rows) else states.exit_code_of(rows)
+
+    def _run_phase(self, tasks):
+        """How often it was interrupted."""
+        with self.costs.phase("plan"):
+            looked = [(task, *planning.look_at(task, self.request.get("retry", False))[:2]) for task in tasks]
+            self.waiting = [task for task, what, _ in looked if what in planning.TO_RUN]
+            self.rows = {row["input_id"]: row for row in self.plan.rows()}
+            self.ledger.write_inputs(list(self.rows.values()))
+        return self._run_waiting(len(looked)) if self.waiting else 0
 
     def _run_waiting(self, of):
         interrupts = Interrupts(self.plan.out)
@@ -139,7 +145,7 @@ class Run:
                 workers, self.room = start_workers(self.request, len(self.waiting))
             self.costs.workers, self.costs.engine = workers.workers, workers.name
             self._fit_to(workers)
-            print(f"{of} inputs, {len(self.waiting)} to run, {workers.workers} at a time ({workers.name}"
+            print(f"{self.plan.named(self.waiting[0], of)}, {len(self.waiting)} to run, {workers.workers} at a time ({workers.name}"
                   + (f", {self.room.gib:.1f} GiB)" if self.room else ")"), flush=True)
             with self.costs.phase("work"):
                 self._loop(workers, interrupts)
@@ -170,7 +176,7 @@ class Run:
             while not interrupts.asked and (task := next((t for t in self.waiting if self.room is None or self.room.fits(t)), None)):
                 self.waiting.remove(task)
                 self.at_work[task["id"]] = task
-                self._show({**self.rows[task["id"]], "state": "running"})
+                self._show({**self.rows[self.plan.row_id(task)], "state": "running"})
                 if self.room:
                     self.room.take(task)
                 self.costs.attempts += 1
@@ -208,7 +214,7 @@ class Run:
             self.waiting.insert(0, task)
             return
         self.progress.end(result)
-        self._show(states.row_of(task, self.plan.out, running=False))
+        self._show(self.plan.row_of(task, running=False))
 
     def _show(self, row):
         """In the ledger now, on the page from time to time."""
@@ -236,19 +242,19 @@ def print_end(of_plan, rows, notes):
     for row in sorted(rows, key=states.badness):
         if row["state"] != "done":
             print(f"{row['input_id']:<16} {row['state'].replace('_', ' '):<10} {row['error']}")
-    print(f"{len(rows)} inputs: {states.in_words(states.counts_of(rows))}")
-    print(f"Results are in {of_plan.out}: stems.csv, campaign.gpkg, campaign.html", flush=True)
+    print(f"{len(rows)} {of_plan.rows_are}: {states.in_words(states.counts_of(rows))}")
+    print(f"Results are in {of_plan.out}: {', '.join(of_plan.results)}", flush=True)
 
 
 def run_task(of_plan, request):
     """One input of a job array. Arrays that count from 0 and from 1 both reach every input once."""
-    number, count = request["task"], len(of_plan.tasks)
-    if number > count:
-        raise bad_input(f"there is no task {number}", f"a number up to {count}", "bole campaign plan lists them")
     out = of_plan.out
     if folders.read_json(out / "plan.json") is None:
         of_plan.keep()
-    task = of_plan.tasks[(number - 1) % count]  # 0 stands for the last
+    task, waits = of_plan.task_of_array(request["task"])
+    if task is None:
+        print(waits, flush=True)
+        return 0
     task["threads"] = task.get("threads") or processors()
     task["memory_gib"] = task["memory_gib"] if task["memory_given"] else min(task["memory_gib"], machine_gib())
     interrupts = Interrupts(out)
@@ -267,6 +273,6 @@ def run_task(of_plan, request):
     Progress({task["id"]: 1.0}).end({"input_id": task["id"], **record})
     with folders.lock(str(out / "lock"), attempt.PATIENCE_S) as handle:
         # The last of the array puts the tables together; earlier ones see that others are missing.
-        if handle is not None and all(any((pathlib.Path(t["folder"]) / place).exists() for place in ("done", "failed")) for t in of_plan.tasks):
-            print_end(of_plan, *merging.merge(of_plan))
+        if handle is not None and of_plan.is_through():
+            print_end(of_plan, *of_plan.merge())
     return {"done": 0, "bad_input": 2, "cancelled": CANCELLED}.get(record["state"], 1)

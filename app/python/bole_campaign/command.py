@@ -5,7 +5,7 @@ import os
 import sqlite3
 import sys
 
-from . import client, merging, planning, states
+from . import client, planning, states
 from .errors import CANCELLED, CampaignError, bad_input
 from .memory import machine_gib
 
@@ -48,7 +48,7 @@ def run(request):
 
 def print_status(request):
     found = kept_plan(request["out"])
-    rows = sorted(states.rows_of(found), key=states.badness)
+    rows = sorted(found.rows(), key=states.badness)
     if request.get("json"):
         print(json.dumps({"title": found.title, "folder": str(found.out), "counts": states.counts_of(rows), "exit_code": states.exit_code_of(rows), "inputs": rows}, indent=1))
         return 0
@@ -57,14 +57,14 @@ def print_status(request):
         stems = "" if row["stems"] is None else row["stems"]
         seconds, peak = ("" if row[name] is None else format(row[name], form) for name, form in (("seconds", ".1f"), ("peak_mib", ".0f")))
         print(f"{row['input_id']:<16} {row['state'].replace('_', ' '):<10} {row['verdict']:<8} {stems:>6} {seconds:>9} {peak:>7} {row['attempts']:>5}  {row['error']}")
-    print(f"{len(rows)} inputs: {states.in_words(states.counts_of(rows))}")
+    print(f"{len(rows)} {found.rows_are}: {states.in_words(states.counts_of(rows))}")
     return 0
 
 
 def merge_results(request):
     found = kept_plan(request["out"])
     with client.only_client(found.out):
-        rows, notes = merging.merge(found)
+        rows, notes = found.merge()
     client.print_end(found, rows, notes)
     return states.exit_code_of(rows)
 

@@ -19,7 +19,8 @@ from .program import Pipeline, find_pipeline
 
 # Every key with what it holds; README of the keys is docs/user/campaigns.md.
 CAMPAIGN_KEYS = ("pipeline", "inputs", "set", "tables", "memory_gib", "time_limit_s", "threads", "retries", "cache", "accept_partial", "title")
-TILE_KEYS = ("cloud", "tile_m", "buffer_m")
+# One of these makes it a document of one cloud in tiles (tiled_document.py).
+TILE_KEYS = ("cloud", "tile_m", "buffer_m", "shift_m")
 INPUT_KEYS = ("id", "set", "memory_gib", "x_m", "y_m")
 SOURCE_KEYS = ("table", "folder", "pattern", "option")
 PLACES = ("x_m", "y_m")
@@ -67,37 +68,40 @@ def truth_of(value, place):
     return value
 
 
-class Campaign:
-    """A checked document: `inputs` is a list of {id, set, files, memory_gib or None, x_m, y_m or None}."""
+def raw_document(path):
+    """The JSON object of a file, checked no further."""
 
-    def __init__(self, path, program):
-        self.path = pathlib.Path(path)
-        try:
-            text = self.path.read_text(encoding="utf-8-sig")
-        except (OSError, UnicodeDecodeError) as error:
-            raise bad_input(f"'{path}' cannot be read ({getattr(error, 'strerror', None) or error})", "a campaign document (JSON)") from None
-        try:
-            raw = json.loads(text, object_pairs_hook=self._pairs)
-        except json.JSONDecodeError as error:
-            raise bad_input(f"'{path}' line {error.lineno}: {error.msg}", "a campaign document (JSON)") from None
-        if not isinstance(raw, dict):
-            raise bad_input(f"'{path}' holds no JSON object", '{"pipeline": ..., "inputs": [...]}')
-        self.base = self.path.resolve().parent
-        self._read(raw, program)
-
-    def _pairs(self, pairs):
+    def pairs_once(pairs):
         found = {}
         for key, value in pairs:
             if key in found:
-                raise bad_input(f"'{self.path}' gives '{key}' twice in one object", "each key once")
+                raise bad_input(f"'{path}' gives '{key}' twice in one object", "each key once")
             found[key] = value
         return found
 
+    try:
+        text = pathlib.Path(path).read_text(encoding="utf-8-sig")
+    except (OSError, UnicodeDecodeError) as error:
+        raise bad_input(f"'{path}' cannot be read ({getattr(error, 'strerror', None) or error})", "a campaign document (JSON)") from None
+    try:
+        raw = json.loads(text, object_pairs_hook=pairs_once)
+    except json.JSONDecodeError as error:
+        raise bad_input(f"'{path}' line {error.lineno}: {error.msg}", "a campaign document (JSON)") from None
+    if not isinstance(raw, dict):
+        raise bad_input(f"'{path}' holds no JSON object", '{"pipeline": ..., "inputs": [...]}')
+    return raw
+
+
+class Campaign:
+    """A checked document: `inputs` is a list of {id, set, files, memory_gib or None, x_m, y_m or None}."""
+
+    def __init__(self, path, program, raw=None):
+        self.path = pathlib.Path(path)
+        self.base = self.path.resolve().parent
+        self._read(raw_document(path) if raw is None else raw, program)
+
     def _read(self, raw, program):
         place = f"'{self.path}'"
-        if any(key in raw for key in TILE_KEYS):
-            raise bad_input(f"{place} asks for one cloud in tiles ({', '.join(k for k in TILE_KEYS if k in raw)})", '"pipeline" and "inputs"',
-                            "Tiles are not there yet: this version runs campaigns of separate inputs")
         check_keys(raw, CAMPAIGN_KEYS, place)
         for key in ("pipeline", "inputs"):
             if key not in raw:
@@ -105,18 +109,22 @@ class Campaign:
         if not isinstance(raw["pipeline"], str):
             raise bad_input(f"{place}: pipeline is {raw['pipeline']!r}", "the name or the path of a pipeline document")
         self.pipeline = Pipeline(find_pipeline(raw["pipeline"], self.base), program)
-        self.title = text_of(raw.get("title", self.path.stem), f"{place}: title")
+        self._read_engine_keys(raw, place)
         self.tables = raw.get("tables", ["stems.csv"])
         if not isinstance(self.tables, list) or not all(isinstance(t, str) and t.endswith(".csv") and "/" not in t for t in self.tables):
             raise bad_input(f"{place}: tables is {self.tables!r}", 'names of tables that the pipeline writes: ["stems.csv"]')
+        common = self._settings(raw.get("set", {}), f"{place}: set")
+        self.inputs = [self._input(entry, common, f"{place}: {where}") for entry, where in self._entries(raw["inputs"], place)]
+        self._check_ids(place)
+
+    def _read_engine_keys(self, raw, place):
+        """What says how an attempt runs, whatever it works on."""
+        self.title = text_of(raw.get("title", self.path.stem), f"{place}: title")
         self.memory_gib = number_of(raw["memory_gib"], f"{place}: memory_gib", 0.1) if "memory_gib" in raw else None
         self.time_limit_s = number_of(raw["time_limit_s"], f"{place}: time_limit_s", 1) if "time_limit_s" in raw else None
         self.threads = whole_number_of(raw["threads"], f"{place}: threads", 1) if "threads" in raw else None
         self.retries = whole_number_of(raw.get("retries", 2), f"{place}: retries", 0)
         self.cache, self.accept_partial = (truth_of(raw.get(key, False), f"{place}: {key}") for key in ("cache", "accept_partial"))
-        common = self._settings(raw.get("set", {}), f"{place}: set")
-        self.inputs = [self._input(entry, common, f"{place}: {where}") for entry, where in self._entries(raw["inputs"], place)]
-        self._check_ids(place)
 
     def _settings(self, given, place):
         if not isinstance(given, dict):

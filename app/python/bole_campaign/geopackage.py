@@ -29,7 +29,7 @@ INSERT OR IGNORE INTO gpkg_spatial_ref_sys VALUES
    'longitude/latitude on the WGS 84 spheroid');
 """
 APPLICATION_ID, USER_VERSION = 0x47504B47, 10300  # "GPKG", 1.3
-TYPES = {"stems": "INTEGER", "attempts": "INTEGER", "killed": "INTEGER", "findings": "INTEGER", "warnings": "INTEGER", "seconds": "REAL", "peak_mib": "REAL",
+TYPES = {"stems": "INTEGER", "attempts": "INTEGER", "killed": "INTEGER", "findings": "INTEGER", "warnings": "INTEGER", "points": "INTEGER", "tile_m": "REAL", "seconds": "REAL", "peak_mib": "REAL",
          "memory_gib": "REAL", "x_m": "REAL", "y_m": "REAL"}
 
 

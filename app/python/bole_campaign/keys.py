@@ -75,8 +75,10 @@ def parts_of(spec, known):
     contents = {name: [content_of(path, known, seen) for path in paths] for name, paths in sorted(spec["files"].items())}
     # The place of a file does not change a result; its ending decides how it is read.
     settings = {name: list(map(os.path.basename, spec["files"][name])) if name in spec["files"] else value for name, value in spec["set"].items()}
-    with open(spec["document"], encoding="utf-8") as file:
-        document = json.load(file)
+    document = spec.get("content")
+    if document is None:
+        with open(spec["document"], encoding="utf-8") as file:
+            document = json.load(file)
     parts = {
         "pipeline": digest(json.dumps(document, sort_keys=True).encode()),
         "options": settings,

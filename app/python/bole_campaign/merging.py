@@ -5,7 +5,7 @@ import os
 import pathlib
 import sqlite3
 
-from . import geopackage, page, states
+from . import geopackage, page
 
 
 def done_folder(task):
@@ -73,7 +73,7 @@ def read_layers(tasks, notes):
 def merge(of_plan, ledger=None):
     """Writes everything. Returns the rows of the inputs and what a person should know (sentences). With the lock held."""
     out = of_plan.out
-    rows = states.rows_of(of_plan)
+    rows = of_plan.rows()
     done = [task for task, row in zip(of_plan.tasks, rows) if row["state"] == "done"]
     notes = []
     for name in of_plan.tables:

@@ -4,7 +4,8 @@ import os
 import pathlib
 
 from . import folders, keys, memory
-from .document import Campaign
+from .document import TILE_KEYS, Campaign, raw_document
+from .errors import bad_input
 
 TO_RUN = ("missing", "changed", "crashed", "retry")
 
@@ -17,8 +18,12 @@ class Plan:
 
     @staticmethod
     def of_document(path, out, program, version):
-        campaign = Campaign(path, program)
-        out = pathlib.Path(os.path.abspath(out))
+        out, raw = pathlib.Path(os.path.abspath(out)), raw_document(path)
+        if any(key in raw for key in TILE_KEYS):
+            from . import tile_plan, tiled_document  # which need this module
+
+            return tile_plan.TilePlan.of_campaign(tiled_document.TiledCampaign(path, program, raw), out, program, version).look_through()
+        campaign = Campaign(path, program, raw)
         common = {"program": program, "version": version, "document": str(campaign.pipeline.path), "cache": campaign.cache,
                   "accept_partial": campaign.accept_partial, "time_limit_s": campaign.time_limit_s, "threads": campaign.threads}
         tasks = [
@@ -35,6 +40,10 @@ class Plan:
         if kept is None or kept.get("format") != 1:
             return None
         out = os.path.abspath(out)
+        if "tiles" in kept:
+            from . import tile_plan
+
+            return tile_plan.TilePlan(pathlib.Path(out), kept["tiles"]).look_through()
         for task in kept["tasks"]:
             task["folder"] = str(folders.task_folder(out, task["id"]))  # the folder may have been moved
         return Plan(out, kept["title"], kept["tables"], kept["retries"], kept["tasks"])
@@ -43,8 +52,44 @@ class Plan:
         self.out.mkdir(parents=True, exist_ok=True)
         folders.write_json(self.out / "plan.json", {"format": 1, "title": self.title, "tables": self.tables, "retries": self.retries, "tasks": self.tasks})
 
-    def by_id(self):
-        return {task["id"]: task for task in self.tasks}
+    rows_are, results = "inputs", ("stems.csv", "campaign.gpkg", "campaign.html")
+
+    def named(self, task, count):
+        """What is about to run, in words."""
+        return f"{count} inputs"
+
+    def phases(self):
+        """The tasks that may run side by side; those of the next phase need the results of the one before."""
+        yield self.tasks
+
+    def row_id(self, task):
+        """The id of the row that tells about a task."""
+        return task["id"]
+
+    def row_of(self, task, running=None):
+        from . import states  # which needs this module
+
+        return states.row_of(task, self.out, running)
+
+    def rows(self):
+        return [self.row_of(task) for task in self.tasks]
+
+    def task_of_array(self, number):
+        """The task with this number, and what it waits for where there is none to run."""
+        count = len(self.tasks)
+        if number > count:
+            raise bad_input(f"there is no task {number}", f"a number up to {count}", "bole campaign plan lists them")
+        return self.tasks[(number - 1) % count], ""  # 0 stands for the last
+
+    def is_through(self):
+        """Whether every task has been run, well or not."""
+        return all(any((pathlib.Path(task["folder"]) / place).exists() for place in ("done", "failed")) for task in self.tasks)
+
+    def merge(self, ledger=None):
+        """Writes the tables, the map and the page. Returns the rows of the inputs and what a person should know."""
+        from . import merging
+
+        return merging.merge(self, ledger)
 
 
 def recorded(task):

@@ -54,10 +54,6 @@ def badness(row):
     return (ORDER.index(row["state"]), VERDICTS.index(row["verdict"]) if row["verdict"] in VERDICTS else 0, -row["findings"], row["input_id"])
 
 
-def rows_of(of_plan):
-    return [row_of(task, of_plan.out) for task in of_plan.tasks]
-
-
 def counts_of(rows):
     return {state: n for state in ORDER if (n := sum(1 for row in rows if row["state"] == state))}
 

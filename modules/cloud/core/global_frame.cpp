@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/option_text.h"
+#include "cloud/core/whole/whole_cloud.h"
 
 namespace bole {
 inline namespace cloud {
@@ -210,6 +211,7 @@ PointCloud to_global(const PointCloud& local, const GlobalFrame& frame, const Ru
   PointCloud out = local;
   out.axes = Axes::global;
   out.crs_wkt = frame.crs_wkt;
+  forget_whole(out.facts);
   out.scale.setZero();
   const Eigen::Vector3d origin = frame.to_global(local.origin);
   out.origin = whole_metres(origin);

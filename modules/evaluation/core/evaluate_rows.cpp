@@ -88,6 +88,43 @@ class MatchTable {
   std::vector<double> angle_, ref_angle_, error_, shared_;
 };
 
+// The two ends of each line, one after the other.
+class LineTable {
+ public:
+  void add(const std::string& id, const Vector2d& a, const Vector2d& b) {
+    for (const auto& p : {a, b}) {
+      id_.push_back(id);
+      x_.push_back(p.x());
+      y_.push_back(p.y());
+    }
+  }
+  // The line of least squares through plants, as far as they reach.
+  void add(const std::string& id, const std::vector<Vector2d>& plants) {
+    const double angle = fitted_angle_deg(plants) * deg;
+    if (!std::isfinite(angle)) return;
+    const Vector2d along(std::cos(angle), std::sin(angle));
+    Vector2d mean = Vector2d::Zero();
+    for (const auto& p : plants) mean += p / static_cast<double>(plants.size());
+    double first = 0, last = 0;
+    for (const auto& p : plants) {
+      first = std::min(first, along.dot(p - mean));
+      last = std::max(last, along.dot(p - mean));
+    }
+    add(id, mean + first * along, mean + last * along);
+  }
+  Table table() const {
+    Table t;
+    t.set("row_id", id_);
+    t.set("x_m", x_);
+    t.set("y_m", y_);
+    return t;
+  }
+
+ private:
+  std::vector<std::string> id_;
+  std::vector<double> x_, y_;
+};
+
 struct Plants {
   std::vector<Vector2d> at, missing;
   std::vector<std::string> row;
@@ -140,6 +177,7 @@ RowEvaluation by_plants(const Table& estimate, const Table& reference, const Eva
     if (!row.empty() && !ref.empty()) ++votes[row][ref], ++matched_in[row];
   }
   MatchTable table;
+  LineTable lines;
   SummaryRows summary(o.published_plot);
   std::size_t right = 0, assigned = 0, standing = 0;
   std::map<std::string, bool> used;
@@ -160,6 +198,7 @@ RowEvaluation by_plants(const Table& estimate, const Table& reference, const Eva
   }
   for (const auto& [id, plants] : truth.rows) {
     standing += plants.size();
+    lines.add(id, plants);
     if (!used[id]) table.add("missed", "", id, no_number, fitted_angle_deg(plants), 0);
   }
   summary.add("rows", static_cast<double>(truth.rows.size()), "");
@@ -171,7 +210,7 @@ RowEvaluation by_plants(const Table& estimate, const Table& reference, const Eva
   summary.add("missing_found", share(static_cast<double>(gaps), static_cast<double>(truth.missing.size())), "%");
   summary.add("missing_listed_right", share(static_cast<double>(gaps), static_cast<double>(found.missing.size())), "%");
   table.measure(summary);
-  return {summary.table(), table.table()};
+  return {summary.table(), table.table(), lines.table()};
 }
 
 struct Line {
@@ -217,13 +256,15 @@ RowEvaluation by_lines(const Table& estimate, const Table& reference, const Eval
     if (!left[i]) table.add("false", found[i].id, "", found[i].angle_deg, no_number, 0);
   for (std::size_t j = 0; j < truth.size(); ++j)
     if (!right[j]) table.add("missed", "", truth[j].id, no_number, truth[j].angle_deg, 0);
+  LineTable lines;
+  for (const auto& line : truth) lines.add(line.id, line.a, line.b);
   const auto n = static_cast<double>(pairs.size());
   summary.add("rows", static_cast<double>(truth.size()), "");
   summary.add("rows_found", static_cast<double>(found.size()), "");
   summary.add("row_recall", share(n, static_cast<double>(truth.size())), "%");
   summary.add("row_precision", share(n, static_cast<double>(found.size())), "%");
   table.measure(summary);
-  return {summary.table(), table.table()};
+  return {summary.table(), table.table(), lines.table()};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@ namespace bole::evaluation {
 struct RowEvaluation {
   Table summary;  // measure, value, unit, published
   Table rows;     // kind (matched, missed, false), row_id, ref_id, angle_deg, ref_angle_deg, angle_error_deg, shared
+  Table reference_lines;  // row_id, x_m, y_m: the ends of each reference row, its least-squares line where it is plants
 };
 
 // Two kinds of tables are told by their columns.

@@ -125,4 +125,17 @@ const OptionTable& option_table(const EvaluationOptions*) {
   return table;
 }
 
+const OptionTable& option_table(const RowMatchOptions*) {
+  using S = RowMatchOptions;
+  static const OptionTable table = make_option_table<S>({
+      Option<S, double>{"match_distance",
+                        &S::match_distance_m,
+                        Unit::metre,
+                        {0.01, 10},
+                        Tier::basic,
+                        "Maximum distance between a plant and its reference plant."},
+  });
+  return table;
+}
+
 }  // namespace bole::evaluation

@@ -46,4 +46,11 @@ struct EvaluationOptions {
 
 const OptionTable& option_table(const EvaluationOptions*);
 
+// Of the stage evaluation.rows.
+struct RowMatchOptions {
+  double match_distance_m = 0.5;
+};
+
+const OptionTable& option_table(const RowMatchOptions*);
+
 }  // namespace bole::evaluation

@@ -306,4 +306,22 @@ GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, 
   return model;
 }
 
+GroundModel ground_of(const PointCloud& cloud, const Raster& terrain, const GroundOptions& options, const Run& run) {
+  const auto scales = scales_for(cloud, options);
+  GroundModel model{terrain, terrain, {}, {}, {}, {}};
+  model.filled.quantity = "filled";
+  for (float& v : model.filled.values) v = std::isnan(v) ? missing : 0.0F;
+  model.height_above_ground = heights_above(cloud, model.dem, run);
+  model.classification = classify(cloud, model.height_above_ground, scales);
+  const auto below = std::ranges::count_if(model.height_above_ground, [](float height) { return !std::isnan(height); });
+  if (below == 0)
+    throw bad_input(fmt::format("the terrain given lies below none of {} points", cloud.size()),
+                    "a terrain model of the same place, in the same coordinates", "Check the file of the terrain");
+  model.report.counts["points"] = static_cast<std::int64_t>(cloud.size());
+  model.report.counts["ground_points"] = std::ranges::count(model.classification, 2);
+  model.report.counts["points_without_height"] = static_cast<std::int64_t>(cloud.size()) - below;
+  model.report.message = fmt::format("Heights above the terrain given, for {} of {} points.", below, cloud.size());
+  return model;
+}
+
 }  // namespace bole::ground

@@ -27,6 +27,10 @@ struct GroundModel {
 // Error{failed} when no ground is found. What speaks against the terrain is a finding of the report.
 GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, const Run& run);
 
+// Heights and classes over a terrain that was made before, of which the model is a copy. Throws Error{bad_input} where
+// it lies below no point of the cloud.
+GroundModel ground_of(const PointCloud& cloud, const Raster& terrain, const GroundOptions& options, const Run& run);
+
 // Why model_ground() takes the cloud for height-normalised where the method is open; empty where it does not. Throws
 // Error{bad_input} as it does.
 std::string evidence_of_normalised(const PointCloud& cloud, const Run& run);

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "base/option.h"
+#include "cloud/core/whole/whole_cloud.h"
 
 namespace bole::ground {
 namespace {
@@ -46,9 +47,12 @@ GridShape grid_over(const PointCloud& cloud, double cell_m) {
                     "at least one");
   GridShape shape;
   shape.cell_m = cell_m;
-  shape.corner = box.low.cast<double>().array() - off_the_multiples_m;
+  const auto whole = whole_of(cloud.facts);
+  const Eigen::Vector2d first = whole ? Eigen::Vector2d(grid_anchor(cloud).head<2>()) : box.low.cast<double>();
+  shape.anchor = first.array() - off_the_multiples_m;
+  shape.corner = whole ? aligned_corner(box.low.cast<double>(), shape.anchor, cell_m) : shape.anchor;
   const Eigen::Vector2d extent = (box.high - box.low).cast<double>(),
-                        cells = ((extent.array() + off_the_multiples_m) / cell_m).floor() + 1;
+                        cells = ((box.high.cast<double>() - shape.corner) / cell_m).array().floor() + 1;
   if (!(cells.x() * cells.y() <= static_cast<double>(max_cells)))
     throw bad_input("the cloud covers " + number_text(std::round(extent.x())) + " by " +
                         number_text(std::round(extent.y())) + " m: too many cells of " + number_text(cell_m) + " m",

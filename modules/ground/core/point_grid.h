@@ -16,6 +16,7 @@ struct GridShape {
   Eigen::Vector2d corner = Eigen::Vector2d::Zero();  // outer corner of cell (0, 0)
   double cell_m = 1;
   int nx = 0, ny = 0;
+  Eigen::Vector2d anchor = Eigen::Vector2d::Zero();  // where the grid of the whole cloud begins
 
   std::size_t cells() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
   int column(double x) const { return static_cast<int>((x - corner.x()) / cell_m); }
@@ -27,9 +28,10 @@ struct GridShape {
   Eigen::Vector2d centre(int ix, int iy) const { return corner + cell_m * Eigen::Vector2d(ix + 0.5, iy + 0.5); }
 };
 
-// The smallest grid of that cell size over all finite points. Its corner is that of the points (and not a multiple of
-// the cell size), so that a cloud that is moved takes its grid along and gets the same terrain. Throws Error{bad_input}
-// when no point is finite or the grid would have more than 100 million cells.
+// The smallest grid of that cell size over all finite points. It begins at the corner of the points (and not at a
+// multiple of the cell size), so that a cloud that is moved takes its grid along and gets the same terrain; in a part
+// of a cloud (cloud/core/whole/whole_cloud.h) its cells are those of the whole. Throws Error{bad_input} when no point
+// is finite or the grid would have more than 100 million cells.
 GridShape grid_over(const PointCloud& cloud, double cell_m);
 bool fits_grid(const PointCloud& cloud, double cell_m);  // not too many cells
 

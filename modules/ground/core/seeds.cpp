@@ -6,19 +6,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud/core/whole/whole_cloud.h"
 #include "ground/core/local_plane.h"
 
 namespace bole::ground {
 namespace {
 
 template <class Points, class Position>
-GridShape shape_over(const Points& points, double cell_m, const Position& position) {
+GridShape shape_over(const Points& points, double cell_m, const Eigen::Vector2d& anchor, const Position& position) {
   GridShape shape;
   shape.cell_m = cell_m;
   Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (const auto& p : points) low = low.cwiseMin(position(p)), high = high.cwiseMax(position(p));
   if (points.empty()) return shape;
-  shape.corner = low;
+  shape.corner = aligned_corner(low, anchor, cell_m);
   shape.nx = shape.column(high.x()) + 1, shape.ny = shape.row(high.y()) + 1;
   return shape;
 }
@@ -36,7 +37,7 @@ class SeedFinder {
   SeedFinder(const std::vector<LowPoint>& candidates, const std::vector<char>& excluded, const SeedLimits& limits)
       : candidates_(candidates),
         limits_(limits),
-        keys_(candidates, limits.cell_m),
+        keys_(candidates, limits.cell_m, limits.anchor),
         by_height_(keys_.cells()),
         rank_(keys_.cells(), 0) {
     for (std::size_t i = 0; i < candidates.size(); ++i)
@@ -136,8 +137,9 @@ class SeedFinder {
 
 }  // namespace
 
-CellKeys::CellKeys(const std::vector<LowPoint>& points, double cell_m) {
-  shape_ = shape_over(points, cell_m, [](const LowPoint& p) -> Eigen::Vector2d { return p.position.head<2>(); });
+CellKeys::CellKeys(const std::vector<LowPoint>& points, double cell_m, const Eigen::Vector2d& anchor) {
+  shape_ =
+      shape_over(points, cell_m, anchor, [](const LowPoint& p) -> Eigen::Vector2d { return p.position.head<2>(); });
   keys_.reserve(points.size());
   for (const auto& p : points)
     keys_.push_back(
@@ -151,7 +153,7 @@ std::vector<std::uint32_t> find_seeds(const std::vector<LowPoint>& candidates, c
 
 std::vector<char> stands_above_ground(const std::vector<LowPoint>& candidates, const SeedLimits& limits, double place_m,
                                       const Run& run) {
-  const CellKeys places(candidates, std::max(place_m, limits.cell_m / 8));
+  const CellKeys places(candidates, std::max(place_m, limits.cell_m / 8), limits.anchor);
   const auto& shape = places.shape();
   std::vector<std::uint32_t> lowest(places.cells(), none), second(places.cells(), none);
   const auto lower = [&](std::uint32_t i, std::uint32_t j) {
@@ -187,10 +189,12 @@ std::vector<char> stands_above_ground(const std::vector<LowPoint>& candidates, c
   return out;
 }
 
-std::vector<Eigen::Vector3d> surrounding_points(const std::vector<Eigen::Vector3d>& ground, double cell_m) {
+std::vector<Eigen::Vector3d> surrounding_points(const std::vector<Eigen::Vector3d>& ground, double cell_m,
+                                                const Eigen::Vector2d& anchor) {
   std::vector<Eigen::Vector3d> out;
   if (ground.empty()) return out;
-  GridShape shape = shape_over(ground, cell_m, [](const Eigen::Vector3d& p) -> Eigen::Vector2d { return p.head<2>(); });
+  GridShape shape =
+      shape_over(ground, cell_m, anchor, [](const Eigen::Vector3d& p) -> Eigen::Vector2d { return p.head<2>(); });
   shape.corner.array() -=
       1.5 * cell_m;  // room for a ring of cells, and no ground point on the line between two cells' centres
   shape.nx += 3, shape.ny += 3;

@@ -11,10 +11,10 @@ namespace bole::ground {
 
 inline constexpr std::uint32_t none = ~std::uint32_t{0};
 
-// Cell number of each point in a grid laid over all of them.
+// Cell number of each point in a grid over all of them whose cells begin at `anchor`.
 class CellKeys {
  public:
-  CellKeys(const std::vector<LowPoint>& points, double cell_m);
+  CellKeys(const std::vector<LowPoint>& points, double cell_m, const Eigen::Vector2d& anchor);
   std::uint32_t key(std::size_t point) const { return keys_[point]; }
   std::size_t cells() const { return shape_.cells(); }
   const GridShape& shape() const { return shape_; }
@@ -28,6 +28,7 @@ struct SeedLimits {
   double cell_m = 4;
   double max_slope_tan = 1.2;
   double roughness_m = 0.1;
+  Eigen::Vector2d anchor = Eigen::Vector2d::Zero();  // where cells begin
 };
 
 // Indices of the lowest candidate per cell, except those that lie below most neighbours more steeply than the terrain
@@ -43,7 +44,8 @@ std::vector<char> stands_above_ground(const std::vector<LowPoint>& candidates, c
                                       const Run& run);
 
 // Virtual points at the centres of empty cells beside occupied ones, on the plane through the occupied cells around
-// them.
-std::vector<Eigen::Vector3d> surrounding_points(const std::vector<Eigen::Vector3d>& ground, double cell_m);
+// them. The cells begin at `anchor`, half a cell aside, so that no ground point lies on the line between two centres.
+std::vector<Eigen::Vector3d> surrounding_points(const std::vector<Eigen::Vector3d>& ground, double cell_m,
+                                                const Eigen::Vector2d& anchor);
 
 }  // namespace bole::ground

@@ -28,7 +28,8 @@ class TinFilter {
   }
 
   GroundSurface filter() {
-    const SeedLimits limits{scales_.seed, std::tan(scales_.max_slope_deg * rad_per_deg), scales_.roughness};
+    const SeedLimits limits{scales_.seed, std::tan(scales_.max_slope_deg * rad_per_deg), scales_.roughness,
+                            shape_.anchor};
     above_ground_ = stands_above_ground(candidates_, limits, 2 * scales_.cell, run_);
     find_raised();
     for (const auto i : find_seeds(candidates_, above_ground_, limits)) accepted_[i] = 1;
@@ -70,19 +71,20 @@ class TinFilter {
       if (accepted_[i])
         surface_.points.push_back(candidates_[i].position), vertex_of_.push_back(static_cast<std::uint32_t>(i));
     surface_.measured = surface_.points.size();
-    for (const auto& p : surrounding_points(surface_.points, scales_.seed)) surface_.points.push_back(p);
+    for (const auto& p : surrounding_points(surface_.points, scales_.seed, shape_.anchor)) surface_.points.push_back(p);
     surface_.triangles = delaunay(surface_.points);
     triangles_at_ = triangles_at_vertices(surface_.triangles, surface_.points.size());
   }
 
-  // Joins, cell by cell, the lowest candidate that fits the triangulation; repeats while that extends it.
+  // Joins, cell by cell, the lowest candidate that fits the triangulation; repeats while that extends it. How often
+  // does not depend on the number of points: what is far away must not decide here.
   void densify(double cell_m) {
     constexpr int max_rounds = 6;
     for (int round = 0; round < max_rounds; ++round) {
       triangulate();
       const auto fitting = find_fitting(cell_m);
       for (const auto i : fitting) accepted_[i] = 1;
-      if (fitting.size() * 200 <= surface_.measured) break;
+      if (fitting.empty()) break;
     }
   }
 
@@ -178,7 +180,7 @@ const Triangle* TinFilter::triangle_opposite(std::uint32_t v, const Eigen::Vecto
 
 std::vector<std::uint32_t> TinFilter::find_fitting(double cell_m) const {
   // Best candidate of each coarse cell: the lowest above (or deepest below) the triangulation among those that fit.
-  const CellKeys coarse(candidates_, cell_m);
+  const CellKeys coarse(candidates_, cell_m, shape_.anchor);
   std::vector<std::uint32_t> best(coarse.cells(), none);
   std::vector<float> best_height(coarse.cells(), 0);
   std::vector<char> occupied(coarse.cells(), 0);

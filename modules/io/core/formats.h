@@ -1,5 +1,6 @@
 // The one table of file formats. Dispatch, messages, help, file dialogs, drag and drop and the list of fuzz targets
-// come from it: a new format is a row of formats.cpp.
+// come from it: a new format is a row of
+// scan_format_rows.cpp or table_format_rows.cpp.
 #pragma once
 
 #include <array>

@@ -192,7 +192,7 @@ constexpr const char* error_caption =
 
 }  // namespace
 
-Trajectory aligned_to(const Trajectory& estimate, const Trajectory& reference) {
+std::optional<Pose> alignment_to(const Trajectory& estimate, const Trajectory& reference) {
   Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(estimate.poses.size())), to = from;
   Eigen::Index n = 0;
   if (reference.poses.size() > 1)
@@ -201,11 +201,17 @@ Trajectory aligned_to(const Trajectory& estimate, const Trajectory& reference) {
         from.col(n) = pose.T_target_sensor.translation();
         to.col(n++) = reference.at(pose.time_s).translation();
       }
-  Trajectory aligned = estimate;
-  if (n < 3) return aligned;
+  if (n < 3) return std::nullopt;
   Pose motion = Pose::Identity();
   motion.matrix() = Eigen::umeyama(from.leftCols(n), to.leftCols(n), false);
-  for (auto& pose : aligned.poses) pose.T_target_sensor = motion * pose.T_target_sensor;
+  return motion;
+}
+
+Trajectory aligned_to(const Trajectory& estimate, const Trajectory& reference) {
+  const auto motion = alignment_to(estimate, reference);
+  Trajectory aligned = estimate;
+  if (!motion) return aligned;
+  for (auto& pose : aligned.poses) pose.T_target_sensor = *motion * pose.T_target_sensor;
   aligned.axes = reference.axes;
   return aligned;
 }

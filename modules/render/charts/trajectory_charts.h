@@ -1,6 +1,8 @@
 // An estimated path beside its reference: both over each other with the revisits as lines, and the error along the way.
 #pragma once
 
+#include <optional>
+
 #include "cloud/table.h"
 #include "cloud/trajectory.h"
 #include "render/draw/figure.h"
@@ -18,6 +20,8 @@ struct TrajectoryComparison {
 // The estimate laid over the reference by the rigid motion that makes the distances at equal times least (Umeyama 1991
 // without scale): what absolute trajectory errors are stated after. As it is where fewer than three times are common.
 Trajectory aligned_to(const Trajectory& estimate, const Trajectory& reference);
+// The motion itself: from the axes of the estimate to those of the reference. None with fewer than three common times.
+std::optional<Pose> alignment_to(const Trajectory& estimate, const Trajectory& reference);
 
 // From above. Throws Error{bad_input} when a trajectory has fewer than two poses, as do the others.
 Figure trajectory_overlay(const TrajectoryComparison& comparison, double width_mm);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "render/draw/figure.h"
 
@@ -119,6 +120,7 @@ FurnitureLayer::FurnitureLayer() {
 
 void FurnitureLayer::show(const ViewFurniture& furniture, double px_per_mm) {
   ++round_;
+  if (std::exchange(px_per_mm_, px_per_mm) != px_per_mm) forget_patches();  // a picture has more pixels
   for (const auto& patch : furniture_patches(furniture)) {
     auto& slot = slots_[patch.state];
     if (!slot.actor) {
@@ -140,10 +142,14 @@ void FurnitureLayer::show(const ViewFurniture& furniture, double px_per_mm) {
   draw_lines(furniture, px_per_mm);
 }
 
-void FurnitureLayer::set_look(const ScreenLook& look) {
-  look_ = look;
+void FurnitureLayer::forget_patches() {
   for (auto& [state, slot] : slots_) renderer_->RemoveActor2D(slot.actor);
   slots_.clear();
+}
+
+void FurnitureLayer::set_look(const ScreenLook& look) {
+  look_ = look;
+  forget_patches();
   for (std::size_t k = 0; k < lines_.size(); ++k) {
     const Color color = look.dark ? on_dark(line_kinds[k].color) : line_kinds[k].color;
     lines_[k].actor->GetProperty()->SetColor(color.r, color.g, color.b);

@@ -47,6 +47,7 @@ class FurnitureLayer {
     vtkSmartPointer<vtkActor2D> actor;
     vtkSmartPointer<vtkPolyData> data;
   };
+  void forget_patches();
   void draw_lines(const ViewFurniture& furniture, double px_per_mm);
 
   ScreenLook look_;
@@ -56,6 +57,7 @@ class FurnitureLayer {
   vtkSmartPointer<vtkTexturedActor2D> picture_, shadow_;
   std::vector<LineActor> lines_;
   std::uint64_t round_ = 0;
+  double px_per_mm_ = 0;  // of the patches in slots_
 };
 
 }  // namespace bole::render

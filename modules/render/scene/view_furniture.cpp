@@ -11,7 +11,7 @@
 namespace bole::render {
 namespace {
 
-constexpr double margin_mm = 4, halo_mm = 0.45, bar_mm = 40;
+constexpr double margin_mm = 4, halo_mm = 0.45, bar_mm = 40, scale_bar_mm = 9;
 constexpr double note_pt = 7.5, note_line_mm = 4, label_pt = 7.5;
 
 // Enough for a text of a sans serif face; what is too much stays transparent.
@@ -27,8 +27,9 @@ FurniturePatch color_bar(const ViewFurniture& f, const PointPaint& paint) {
   const double height = std::min(45.0, 0.4 * f.height_mm), width = 34;
   const Box box{f.width_mm - margin_mm - width + 2, f.height_mm - margin_mm - height - 7.5, f.width_mm - margin_mm + 2,
                 f.height_mm - margin_mm + 2};
-  return patch(fmt::format("bar {} {} {} {:.1f}", paint.array, paint.range.lo, paint.range.hi, height), box,
-               [paint, height](Canvas& canvas) {
+  return patch(fmt::format("bar {} {} {} {:.1f} {}", paint.array, paint.range.lo, paint.range.hi, height,
+                           static_cast<const void*>(paint.map)),
+               box, [paint, height](Canvas& canvas) {
                  canvas.rectangle(canvas.sheet().grown(-0.5), ink::paper.with_alpha(0.8), {}, 1);
                  draw_color_bar(canvas, {4, 7.5, 7.5, 7.5 + height}, *paint.map, paint.range, paint.title, 7);
                });
@@ -121,6 +122,19 @@ FurniturePatch label(const ViewFurniture::Label& label, std::size_t which) {
                });
 }
 
+FurniturePatch tree_patch(const TreeMark& mark) {
+  return patch(fmt::format("tree {} {} {} {}", mark.number, mark.quality, mark.state, mark.strong), mark_box(mark),
+               [mark](Canvas& canvas) { draw_tree_mark(canvas, mark); });
+}
+
+// Above the scale bar.
+FurniturePatch tree_legend(const ViewFurniture& f) {
+  const double bottom = f.height_mm - margin_mm - scale_bar_mm, height = tree_legend_height_mm(f.trees);
+  return patch(tree_legend_state(f.trees),
+               {margin_mm - 1, bottom - height, margin_mm - 1 + tree_legend_width_mm, bottom},
+               [trees = f.trees](Canvas& canvas) { draw_tree_legend(canvas, trees); });
+}
+
 }  // namespace
 
 std::vector<FurniturePatch> furniture_patches(const ViewFurniture& f) {
@@ -132,6 +146,8 @@ std::vector<FurniturePatch> furniture_patches(const ViewFurniture& f) {
   if (f.mm_per_metre > 0 && std::isfinite(f.mm_per_metre)) patches.push_back(scale_bar(f));
   if (f.north) patches.push_back(north_arrow(f));
   if (!f.notes.empty()) patches.push_back(notes(f));
+  for (const auto& tree : f.trees) patches.push_back(tree_patch(tree));
+  if (f.tree_legend && tree_legend_height_mm(f.trees) > 0) patches.push_back(tree_legend(f));
   for (std::size_t i = 0; i < f.marks_mm.size(); ++i) patches.push_back(mark(f.marks_mm[i], i));
   for (std::size_t i = 0; i < f.labels.size(); ++i) patches.push_back(label(f.labels[i], i));
   return patches;

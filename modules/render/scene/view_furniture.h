@@ -7,6 +7,7 @@
 
 #include "render/draw/figure.h"
 #include "render/scene/point_paint.h"
+#include "render/scene/tree_marks.h"
 
 namespace bole::render {
 
@@ -30,6 +31,8 @@ struct ViewFurniture {
     std::vector<Eigen::Vector2d> points_mm;
     bool strong = false, warning = false;
   };
+  std::vector<TreeMark> trees;            // kept apart already
+  bool tree_legend = false;               // what their symbols mean
   std::vector<Eigen::Vector2d> marks_mm;  // picked points
   std::vector<Label> labels;              // of measurements
   std::vector<Line> lines;                // the measurements themselves; drawn by the layer, not in patches

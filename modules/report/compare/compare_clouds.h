@@ -9,7 +9,7 @@
 #include "cloud/plot_area.h"
 #include "cloud/table.h"
 #include "render/charts/slice_pairs.h"
-#include "render/maps/comparison_maps.h"
+#include "render/maps/plan_density.h"
 
 namespace bole::report {
 

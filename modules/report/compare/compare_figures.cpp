@@ -12,8 +12,10 @@
 #include "render/charts/position_charts.h"
 #include "render/charts/slice_pairs.h"
 #include "render/charts/trajectory_charts.h"
-#include "render/maps/comparison_maps.h"
+#include "render/maps/paths_on_cloud.h"
+#include "render/maps/position_map.h"
 #include "report/compare/compare_clouds.h"
+#include "report/compare/loop_figure.h"
 
 namespace bole::report {
 namespace {
@@ -59,6 +61,7 @@ class Figures {
       if (plots_.size() > 1 && has_matches(of_plot)) add_errors(of_plot, suffix, plots_[k]);
       if (!of_plot.empty()) add_map(of_plot, suffix, plots_[k]);
       add_clouds(plots_[k], suffix);
+      add_loops(plots_[k], suffix);
     }
     return std::move(plans_);
   }
@@ -221,6 +224,21 @@ class Figures {
       const auto slices = compared_slices(*clouds, *trees, runs);
       if (slices.empty()) return std::vector<render::Figure>();
       return std::vector{render::slices_side_by_side(names, slices, o_.figure_width)};
+    });
+  }
+
+  // Where a run has closed loops: what they did to path and map, beside the other runs.
+  void add_loops(const std::string& plot, const std::string& suffix) {
+    const auto runs = runs_of(plot);
+    if (!o_.cloud_figures || runs.size() < 2 || !any_loops(d_, runs)) return;
+    add("loop closures", suffix, plots_.size() > 1 ? plot : "", [this, runs] {
+      std::vector<ComparedRunPath> paths;
+      for (const auto r : runs)
+        if (auto path = path_of(d_.poses, r); path.poses.size() > 1)
+          paths.push_back({r, render::series_color(paths.size()), std::move(path)});
+      if (paths.size() < 2) return std::vector<render::Figure>();
+      return std::vector{
+          loop_figure(d_, std::move(paths), reference_of(runs), in_plot_axes(runs), o_.figure_width, run_)};
     });
   }
 

@@ -1,5 +1,6 @@
 // The figures of a comparison of runs, those of the paper on improved LOAM: paths on the cloud (figure 8), slices side
-// by side (9), positions (10), position errors (11), diameters (12) and their errors by class (13).
+// by side (9), positions (10), position errors (11), diameters (12) and their errors by class (13); and that of the
+// paper on orchard mapping: path and map with their loop closures (4).
 #pragma once
 
 #include <functional>
@@ -13,7 +14,7 @@
 
 namespace bole::report {
 
-// Inputs of report.compare; the last three may be null.
+// Inputs of report.compare; those from `poses` on may be null.
 struct CompareData {
   const Table* runs = nullptr;
   const Table* compared = nullptr;
@@ -22,6 +23,8 @@ struct CompareData {
   const Table* poses = nullptr;
   const Table* boundaries = nullptr;
   const Table* reference_poses = nullptr;
+  const Table* loops = nullptr;
+  const Table* groups = nullptr;
 };
 
 struct ComparePlan {

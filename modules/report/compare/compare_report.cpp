@@ -70,8 +70,8 @@ class CompareReport {
   CompareReport(const DataSet& inputs, const CompareReportOptions& options, const Run& run)
       : in_(inputs), o_(options), run_(run), writer_(run) {
     const auto table = [&](const char* port) { return inputs.has(port) ? &inputs.table(port) : nullptr; };
-    data_ = {table("runs"),  table("compared"),   table("trees"),          table("stems"),
-             table("poses"), table("boundaries"), table("reference_poses")};
+    data_ = {table("runs"),       table("compared"),        table("trees"), table("stems"), table("poses"),
+             table("boundaries"), table("reference_poses"), table("loops"), table("groups")};
   }
 
   pipeline::StageResult write() {
@@ -190,10 +190,13 @@ pipeline::StageType compare_report_stage() {
       "Writes a comparison of runs into the output folder: runs.csv, positions.csv and diameters.csv (tables 2 and 3 "
       "of "
       "the paper on improved LOAM, with its published figures beside), detection.csv, trajectories.csv, pairs.csv, "
-      "compared_trees.csv, comparison.json, report.html, and the figures: paths on the cloud, slices side by side, map "
-      "of "
-      "positions, position errors, diameters and their errors by class, pooled and for each plot.";
-  type.source = "The paper on forest plots by improved LOAM, figures 8 to 13 (SPEC A11)";
+      "compared_trees.csv, comparison.json, report.html, and the figures: paths on the cloud, slices side by side, "
+      "path and "
+      "map with their loop closures, map of positions, position errors, diameters and their errors by class, pooled "
+      "and "
+      "for each plot.";
+  type.source =
+      "The paper on forest plots by improved LOAM, figures 8 to 13 (SPEC A11); on orchard mapping, figure 4 (SPEC D)";
   type.inputs = {{"runs", DataKind::table, "A row per run, from io.read_runs.", false, {}},
                  {"compared", DataKind::table, "The runs with their plots, from evaluation.compare.", false, {}},
                  {"groups", DataKind::table, "Measures of each run and pooled.", false, {}},
@@ -202,7 +205,9 @@ pipeline::StageType compare_report_stage() {
                  {"stems", DataKind::table, "The stems of all runs.", false, {}},
                  {"poses", DataKind::table, "The trajectories of all runs.", true, {}},
                  {"boundaries", DataKind::table, "Vertices of the plot boundaries.", true, {}},
+                 {"loops", DataKind::table, "The loop closures of all runs.", true, {}},
                  {"reference_poses", DataKind::table, "The reference trajectories that the runs carry.", true, {}}};
+  type.version = 2;
   type.options = &option_table(static_cast<const CompareReportOptions*>(nullptr));
   type.writes_files = true;
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {

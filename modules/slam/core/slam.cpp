@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angles.h"
 #include "cloud/known_facts.h"
 #include "slam/core/map/dense_map.h"
 #include "slam/core/map/passes.h"
@@ -139,12 +140,13 @@ SlamResult run_slam(const FrameSource& source, const SlamOptions& given, const R
   leave_out_gaps(track.gaps_s, out.trajectory);
   shift(out.trajectory.poses, origin);
 
-  Facts facts = source.facts();
-  set_fact(facts, options.trajectory.empty() ? PoseOrigin::estimated : PoseOrigin::given);
+  Facts known = source.facts();
+  set_fact(known, options.trajectory.empty() ? PoseOrigin::estimated : PoseOrigin::given);
+  if (track.level_sigma_rad) set_fact(known, facts::level_sigma, degrees(*track.level_sigma_rad));
   // Published figures are shown beside the results of the preset that they are of (evaluation.plot).
-  if (options.trajectory.empty()) facts["preset"] = std::string(choice_name(options.preset));
-  out.points.facts = facts;
-  out.trajectory.facts = std::move(facts);
+  if (options.trajectory.empty()) known["preset"] = std::string(choice_name(options.preset));
+  out.points.facts = known;
+  out.trajectory.facts = std::move(known);
 
   auto& report = out.report;
   report.facts["axes"] = std::string(axes_name(Axes::map));

@@ -5,10 +5,10 @@
 namespace bole::steering {
 
 namespace {
-constexpr std::uint64_t stream = 1;
+constexpr std::uint64_t receiver_stream = 1;
 }
 
-Receiver::Receiver(const ReceiverOptions& options, std::uint64_t seed) : o_(options), random_(seed, stream) {
+Receiver::Receiver(const ReceiverOptions& options, std::uint64_t seed) : o_(options), random_(seed, receiver_stream) {
   drift_ = o_.drift * normals();  // the process is old when the drive begins
 }
 

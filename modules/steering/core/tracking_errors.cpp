@@ -11,7 +11,7 @@
 #include "base/option_text.h"
 #include "base/statistics.h"
 #include "steering/core/passes.h"
-#include "steering/core/same_plane.h"
+#include "steering/core/track/same_plane.h"
 #include "steering/core/tracking_tables.h"
 
 namespace bole::steering {

@@ -8,7 +8,7 @@
 namespace bole::steering {
 namespace {
 
-constexpr std::uint64_t stream = 2;
+constexpr std::uint64_t tractor_stream = 2;
 constexpr double sub_step_s = 0.01;
 constexpr double roughness_length_m = 1.5;
 constexpr double acceleration_m_s2 = 0.7;
@@ -16,7 +16,7 @@ constexpr double acceleration_m_s2 = 0.7;
 }  // namespace
 
 Tractor::Tractor(const TractorOptions& options, double slope_yaw_rad, std::uint64_t seed)
-    : o_(options), slope_yaw_rad_(slope_yaw_rad), random_(seed, stream) {
+    : o_(options), slope_yaw_rad_(slope_yaw_rad), random_(seed, tractor_stream) {
   commands_.assign(static_cast<std::size_t>(std::lround(o_.steering_delay / sub_step_s)), 0.0);
 }
 

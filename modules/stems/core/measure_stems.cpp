@@ -62,10 +62,12 @@ class Survey {
     out_.breast_height_m = breast_height_;
   }
 
-  StemSurvey measure() {
-    options_ = with_sensor(options_, input_.facts, options_.model != FitModel::surface && knows_sensor(), out_.report);
+  StemSurvey measure(const PooledPriors* pooled) {
+    pooled_ = pooled;
+    take_sensor();
     auto priors = search();
-    for (int round = 0; round < max_alignments && align_passes(priors); ++round) priors = search();
+    if (pooled_ == nullptr)
+      for (int round = 0; round < max_alignments && align_passes(priors); ++round) priors = search();
     learn_noise();
     drop_repeated();
     if (priors.learnt) refit_all(priors);
@@ -76,7 +78,29 @@ class Survey {
     return std::move(out_);
   }
 
+  std::vector<StemEvidence> evidence() {
+    take_sensor();
+    search();
+    std::vector<StemEvidence> out;
+    for (const auto& s : fitted_) {
+      if (objection(s, options_)) continue;
+      auto& e = out.emplace_back();
+      e.at = (points_.origin + s.breast_height).head<2>();
+      if (s.drift.target.size() > 0) e.drift = drift_likelihoods(s.drift);
+      if (tells_range_offset(s)) e.range_offset = s.range_offset;
+      if (s.along_rays) e.noise_m = s.noise_m;
+    }
+    return out;
+  }
+
  private:
+  void take_sensor() {
+    options_ = with_sensor(options_, input_.facts, options_.model != FitModel::surface && knows_sensor(), out_.report);
+  }
+
+  // Rays that all come from one side cannot tell their offset from the place of the stem.
+  static bool tells_range_offset(const Stem& s) { return s.range_offset.sd_m > 0 && s.arc_rad > all_round_rad; }
+
   // Stems by their first fits, and what they say together.
   ProjectPriors search() {
     fitted_.clear(), unfitted_.clear(), out_.rejected.clear(), tried_ = 0;
@@ -86,7 +110,7 @@ class Survey {
     fit_all(priors);
     test_rays();
     retry_displaced(priors);
-    learn(priors);
+    pooled_ == nullptr ? learn(priors) : take_pooled(priors);
     return priors;
   }
 
@@ -96,6 +120,7 @@ class Survey {
     std::vector<double> noise;
     for (const auto& s : fitted_)
       if (s.along_rays && !objection(s, options_)) noise.push_back(s.noise_m);
+    if (pooled_ != nullptr) noise.assign(pooled_->noise_m > 0 ? 1 : 0, pooled_->noise_m);
     if (noise.empty()) return;
     noise_m_ = upper_median(std::move(noise));
     options_.max_sigma = std::max(options_.max_sigma, cap_by_noise * std::min(noise_m_, max_learnt_noise_m));
@@ -312,20 +337,36 @@ class Survey {
     for (const auto& s : fitted_) {
       if (objection(s, options_)) continue;
       if (s.drift.target.size() > 0) drift.push_back(&s.drift);
-      // Rays that all come from one side cannot tell their offset from the place of the stem.
-      if (s.range_offset.sd_m > 0 && s.arc_rad > all_round_rad) offsets.push_back(s.range_offset);
+      if (tells_range_offset(s)) offsets.push_back(s.range_offset);
     }
-    if (!drift.empty()) {
-      priors.drift = likeliest_drift(drift, run_);
+    const bool tells_offset = !offsets.empty() && options_.estimate_range_offset;
+    priors.learnt = !drift.empty() || !offsets.empty();
+    if (!drift.empty()) priors.drift = likeliest_drift(drift, run_);
+    if (tells_offset) priors.range_offset = mean_range_offset(std::move(offsets), options_.range_offset_sd);
+    tell_priors(priors, !drift.empty(), tells_offset);
+  }
+
+  void take_pooled(ProjectPriors& priors) {
+    const bool takes_offset = pooled_->range_offset && options_.estimate_range_offset;
+    if (pooled_->drift) priors.drift = *pooled_->drift;
+    if (takes_offset) priors.range_offset = *pooled_->range_offset;
+    tell_priors(priors, pooled_->drift.has_value(), takes_offset);
+    priors.learnt = pooled_->drift || pooled_->range_offset;
+    if (pooled_->drift && pooled_->drift->pass_sd_m >= min_drift_to_align_m)
+      out_.report.find(
+          Severity::look, "passes_not_aligned",
+          fmt::format("passes of the walk disagree by {:.1f} cm. In a part of a cloud they are not brought "
+                      "together: diameters are of all passes as they lie",
+                      100 * pooled_->drift->pass_sd_m));
+  }
+
+  void tell_priors(const ProjectPriors& priors, bool drift, bool range_offset) {
+    if (drift) {
       out_.report.metrics["drift_between_passes"] = {100 * std::hypot(priors.drift.pass_sd_m, moved_m_),
                                                      Unit::centimetre};
       out_.report.metrics["drift_between_views"] = {100 * priors.drift.view_sd_m, Unit::centimetre};
     }
-    if (!offsets.empty() && options_.estimate_range_offset) {
-      priors.range_offset = mean_range_offset(std::move(offsets), options_.range_offset_sd);
-      out_.report.metrics["range_offset"] = {100 * priors.range_offset.mean_m, Unit::centimetre};
-    }
-    priors.learnt = !drift.empty() || !offsets.empty();
+    if (range_offset) out_.report.metrics["range_offset"] = {100 * priors.range_offset.mean_m, Unit::centimetre};
   }
 
   void accept() {
@@ -469,6 +510,7 @@ class Survey {
 
   const PointCloud& input_;
   PointCloud points_;  // with the passes brought together
+  const PooledPriors* pooled_ = nullptr;
   std::vector<PassAlignment> alignments_;
   double moved_m_ = 0;  // by which they were
   double noise_m_ = 0;  // scatter of ranges on the bark, middle of the stems; 0: not known
@@ -488,13 +530,24 @@ class Survey {
   StemSurvey out_;
 };
 
+void check(const PointCloud& points) {
+  if (points.empty()) throw bad_input("the cloud is empty", "points of a plot", "Check what the stage before has read");
+  points.values<float>(arrays::height_above_ground);  // throws with the list of arrays
+}
+
 }  // namespace
 
 StemSurvey measure_stems(const PointCloud& points, double breast_height, const Raster& dem,
-                         const Trajectory* trajectory, const MeasureOptions& options, const Run& run) {
-  if (points.empty()) throw bad_input("the cloud is empty", "points of a plot", "Check what the stage before has read");
-  points.values<float>(arrays::height_above_ground);  // throws with the list of arrays
-  return Survey(points, breast_height, dem, trajectory, options, run).measure();
+                         const Trajectory* trajectory, const MeasureOptions& options, const Run& run,
+                         const PooledPriors* pooled) {
+  check(points);
+  return Survey(points, breast_height, dem, trajectory, options, run).measure(pooled);
+}
+
+std::vector<StemEvidence> stem_evidence(const PointCloud& points, double breast_height, const Raster& dem,
+                                        const Trajectory* trajectory, const MeasureOptions& options, const Run& run) {
+  check(points);
+  return Survey(points, breast_height, dem, trajectory, options, run).evidence();
 }
 
 }  // namespace bole::stems

@@ -8,6 +8,7 @@
 #include "cloud/table.h"
 #include "cloud/trajectory.h"
 #include "stems/core/fit/fit_stem.h"
+#include "stems/core/fit/pooled_priors.h"
 #include "stems/core/tree/tree_tops.h"
 
 namespace bole::stems {
@@ -20,7 +21,7 @@ struct RejectedStem {
 };
 
 struct StemSurvey {
-  std::vector<Stem> stems;  // ids from 1, from north to south, west to east where level
+  std::vector<Stem> stems;       // ids from 1, from north to south, west to east where level
   std::vector<TopVerdict> tops;  // by stem
   std::vector<RejectedStem> rejected;
   PointCloud points;  // input with tree_id and stem
@@ -32,9 +33,15 @@ struct StemSurvey {
 // the ray model and the ray test possible, time or pass the offsets between passes. Beam and range noise of the sensor
 // come from the facts of `points` where the options leave them open. `breast_height` is above ground. Throws
 // Error{bad_input} on an empty cloud; a plot without stems gives empty tables and a warning that says what was looked
-// at.
+// at. With `pooled` nothing is learnt from the stems of this cloud: they are fitted with what all stems of a larger
+// one say, and passes are not brought together.
 StemSurvey measure_stems(const PointCloud& points, double breast_height, const Raster& dem,
-                         const Trajectory* trajectory, const MeasureOptions& options, const Run& run);
+                         const Trajectory* trajectory, const MeasureOptions& options, const Run& run,
+                         const PooledPriors* pooled = nullptr);
+
+// What each stem of a first look says about the errors that all share, to be pooled. Throws as measure_stems().
+std::vector<StemEvidence> stem_evidence(const PointCloud& points, double breast_height, const Raster& dem,
+                                        const Trajectory* trajectory, const MeasureOptions& options, const Run& run);
 
 // The tables `stems`, `sections` and `rejected` in the units of docs/dev/architecture.md.
 Table stem_table(const StemSurvey& survey);

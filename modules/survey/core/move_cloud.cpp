@@ -3,6 +3,8 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include "cloud/core/whole/whole_cloud.h"
+
 namespace bole::survey {
 namespace {
 
@@ -36,6 +38,7 @@ PointCloud move_cloud(const PointCloud& cloud, const Pose& T_new_old, const Eige
   out.axes = axes;
   if (T_new_old.matrix().isApprox(Pose::Identity().matrix(), 1e-12) && new_origin == cloud.origin) return out;
   out.origin = new_origin, out.crs_wkt.clear(), out.scale.setZero();
+  forget_whole(out.facts);
   const Eigen::Matrix3d R = T_new_old.linear();
   // new offset = R (origin + offset) + t - new origin
   const Eigen::Vector3d shift = T_new_old * cloud.origin - new_origin;

@@ -5,9 +5,11 @@ namespace bole::survey {
 const OptionTable& option_table(const FrameOptions*) {
   using S = FrameOptions;
   static const OptionTable table = make_option_table<S>({
-      Option<S, Level>{"level", &S::level, Tier::basic,
-                       "What gives the vertical. stems: their mean direction, the ground where there are too few; "
-                       "ground: its plane, for level plots only; none: z is up already."},
+      Option<S, Level>{
+          "level", &S::level, Tier::basic,
+          "What gives the vertical. auto: gravity where the map was made with an inertial unit that tells it to "
+          "0.3 deg, else the stems; gravity: z is up, as the unit told; stems: their mean direction, the "
+          "ground where there are too few; ground: its plane, for level plots only; none: z is up already."},
       Option<S, double>{"min_intensity",
                         &S::min_intensity,
                         Unit::none,
@@ -61,8 +63,8 @@ const OptionTable& option_table(const FrameOptions*) {
       Option<S, int>{
           "min_stems", &S::min_stems, Unit::none, {3, 1000}, Tier::expert, "Fewest stems that may give the vertical."},
       Unless{"target_distance", {"0"}, {"target_tolerance"}},
-      Unless{"level", {"none"}, {"max_tilt"}},
-      OnlyIf{"level", {"stems"}, {"min_stems"}},
+      Unless{"level", {"none", "gravity"}, {"max_tilt"}},
+      OnlyIf{"level", {"auto", "stems"}, {"min_stems"}},
   });
   return table;
 }

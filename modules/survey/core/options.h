@@ -9,11 +9,11 @@
 namespace bole::survey {
 
 // What tells the vertical.
-enum class Level { stems, ground, none };
-constexpr std::array<std::string_view, 3> choice_names(Level) { return {"stems", "ground", "none"}; }
+enum class Level { automatic, gravity, stems, ground, none };
+constexpr std::array<std::string_view, 5> choice_names(Level) { return {"auto", "gravity", "stems", "ground", "none"}; }
 
 struct FrameOptions {
-  Level level = Level::stems;
+  Level level = Level::automatic;
   double min_intensity = 100.0;
   int min_target_points = 20;
   double target_size = 0.7;

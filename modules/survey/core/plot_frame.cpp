@@ -43,6 +43,7 @@ class FrameFinder {
     vertical_ = find_vertical(cloud_, options_, run_);
     for (const auto& w : vertical_.warnings) frame_.report.warn(w);
     R_level_map_ = rotation_between(vertical_.up, Eigen::Vector3d::UnitZ());
+    frame_.by_gravity = vertical_.method == Level::gravity;
   }
 
   TargetChoice choose() {
@@ -144,6 +145,10 @@ class FrameFinder {
     report.metrics["tilt"] = {tilt_deg, Unit::degree};
     std::string level = "not levelled";
     if (vertical_.method == Level::ground) level = fmt::format("levelled by the ground (tilt {:.2f} deg)", tilt_deg);
+    if (vertical_.method == Level::gravity) {
+      report.metrics["tilt_standard_error"] = {degrees(vertical_.standard_error_rad), Unit::degree};
+      level = fmt::format("level by gravity (+- {:.2f} deg)", degrees(vertical_.standard_error_rad));
+    }
     if (vertical_.method == Level::stems) {
       report.metrics["tilt_standard_error"] = {vertical_.standard_error_rad / rad_per_deg, Unit::degree};
       report.metrics["stem_lean_scatter"] = {vertical_.scatter_rad / rad_per_deg, Unit::degree};

@@ -19,6 +19,7 @@ struct PlotFrame {
   Pose T_plot_map = Pose::Identity();                    // "plot" are levelled map axes when `axes` is Axes::map
   Axes axes = Axes::map;                                 // plot when both targets were found
   Eigen::Vector3d new_origin = Eigen::Vector3d::Zero();  // for the moved cloud
+  bool by_gravity = false;                               // z is up as the inertial unit told
   Table targets;                                         // name, x_m, y_m, z_m, points; fact axes
   Report report;
 };

@@ -9,6 +9,7 @@
 
 #include "base/angles.h"
 #include "base/transform.h"
+#include "cloud/known_facts.h"
 #include "cloud/robust_mean.h"
 #include "cloud/stem_axes.h"
 #include "survey/core/ground_plane.h"
@@ -81,9 +82,21 @@ bool level_by_ground(const PointCloud& cloud, const FrameOptions& options, const
 }  // namespace
 
 Vertical find_vertical(const PointCloud& cloud, const FrameOptions& options, const Run& run) {
+  constexpr double max_gravity_sigma_deg = 0.3;  // stems are as good or better beyond it
   Vertical vertical;
   if (options.level == Level::none) return vertical;
-  if (options.level == Level::stems) {
+  const auto sigma_deg = fact_number(cloud.facts, facts::level_sigma);
+  if (options.level == Level::gravity && !sigma_deg)
+    throw bad_input("level is gravity, and nothing tells the direction of gravity in this map",
+                    "a map that was made with an inertial unit (slam.preset best or inertial)",
+                    "Set level to stems, or to auto");
+  if (sigma_deg &&
+      (options.level == Level::gravity || (options.level == Level::automatic && *sigma_deg <= max_gravity_sigma_deg))) {
+    vertical.method = Level::gravity;
+    vertical.standard_error_rad = radians(*sigma_deg);
+    return vertical;
+  }
+  if (options.level == Level::stems || options.level == Level::automatic) {
     if (level_by_stems(cloud, options, run, vertical)) return vertical;
     vertical.warnings.push_back(
         fmt::format("{} stems were found to level by, min_stems is {}: the ground was taken instead", vertical.stems,

@@ -21,8 +21,9 @@ struct Vertical {
 };
 
 // The cloud's z axis points up to within options.max_tilt_deg.
-//   stems:  the robust mean (Tukey) of the stems' axes, found again after levelling until it settles. Stems grow
-//   against
+//   gravity: z, as the inertial unit told (fact level_sigma_deg of the cloud). Throws Error{bad_input} where it did
+//   not. auto:    gravity where it is known to 0.3 deg, else stems. stems:  the robust mean (Tukey) of the stems' axes,
+//   found again after levelling until it settles. Stems grow against
 //           gravity on any slope, and single leaning ones are outvoted; a lean common to all of them is not seen.
 //   ground: the robust plane through the lowest points of 1 m cells: right on level plots only.
 Vertical find_vertical(const PointCloud& cloud, const FrameOptions& options, const Run& run);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "rows/core/frame/frame_filters.h"
-#include "rows/core/frame/frame_plants.h"
+#include "rows/core/frame/mean_shift.h"
+#include "rows/core/frame/place_stems.h"
+#include "rows/core/frame/trunk_centres.h"
 #include "rows/core/rows/find_rows.h"
 
 namespace bole::rows {
@@ -22,7 +24,7 @@ inline Table centres_of(const PointCloud& frame, const Table* attitude, const Ch
   const auto dense = cut_region(level(frame, {}, attitude), s.region);
   auto points = remove_ground(voxel_centroids(dense, s.voxel), s.ground, run);
   points = mean_shift(radius_filter(points, s.radius, run), s.mean_shift, run);
-  return trunk_centres(points, &dense, s.trunks, report);
+  return trunk_centres(points, &dense, s.trunks, report).stems;
 }
 
 }  // namespace bole::rows

@@ -10,9 +10,11 @@ have get none:
   slam_tables.py --bole build/headless/bin/bole --work DIR --plots plot1 plot2 --presets true loam forest best --seeds 1 2 3
   slam_tables.py --bole ... --work DIR --scans SCANS --budget 60      (SCANS holds folders PLOT-SEED of `bole simulate`)
   slam_tables.py --bole ... --work DIR --plots demo --ablation forest
-  slam_tables.py --bole ... --work DIR --rate 5 --presets loam loam_paper forest forest_paper
+  slam_tables.py --bole ... --work DIR --rate 10 5 --presets loam loam_paper forest forest_paper
+  slam_tables.py --bole ... --work DIR --rate 10 5 --plots demo --seeds 1 --presets loam_paper forest_paper --page PAGE.md
 
 `true` is no preset: the map is made with the true poses, as the floor for walls and diameters.
+--page writes the tables into a page, below a list of what was run and what was not.
 --rate 5 simulates the recording of the paper: 5 revolutions per second, 0.1 deg between two pulses of a laser. Scans and results
 of the two rates have names of their own.
 
@@ -23,6 +25,7 @@ that are made here are deleted after use unless --keep.
 
 import argparse
 import csv
+import datetime
 import json
 import math
 import os
@@ -137,12 +140,17 @@ class Clock:
         self.longest_s = max(self.longest_s, time.monotonic() - self.begun)
 
 
-def command(words, log):
+ENDED_EARLY = 4  # exit code of a run whose track was lost: its results stand, but are not of the whole walk
+
+
+def command(words, log, accepted=(0,)):
+    """The exit code where it is one of those accepted, else None."""
     with open(log, "w") as out:
-        if subprocess.run([str(w) for w in words], stdout=out, stderr=subprocess.STDOUT).returncode != 0:
-            print(f"failed: {' '.join(map(str, words))}\n{log.read_text()[-2000:]}", file=sys.stderr)
-            return False
-    return True
+        code = subprocess.run([str(w) for w in words], stdout=out, stderr=subprocess.STDOUT).returncode
+    if code in accepted:
+        return code
+    print(f"failed: {' '.join(map(str, words))}\n{log.read_text()[-2000:]}", file=sys.stderr)
+    return None
 
 
 def write_whole(path, text):
@@ -173,9 +181,8 @@ def simulated(arguments, plot, seed):
     folder = own_scan(arguments, plot, seed)
     if not (folder / "trees.csv").exists():
         shutil.rmtree(folder, ignore_errors=True)
-        if not command([arguments.bole, "simulate", "--plot", plot, "--seed", seed, "--rotation-rate",
-                        arguments.rate, "--out", folder],
-                       arguments.work / "simulate.log"):
+        if command([arguments.bole, "simulate", "--plot", plot, "--seed", seed, "--rotation-rate", arguments.rate, "--out", folder],
+                   arguments.work / "simulate.log") is None:
             return None
     return folder
 
@@ -215,6 +222,7 @@ def figures(arguments, out, scan):
     slam = stages["slam"]
     found["ms_per_frame"] = 1000 * slam["seconds"] / max(1, slam["counts"]["frames"])
     found["loops"] = slam["counts"].get("loops", 0)
+    found["frames"] = slam["counts"]["frames"]
     found["peak_mib"] = summary["peak_mib"]
     found.update(loop_figures(arguments, out, scan))
     matches = [r for r in rows_of(out / "matches.csv") if r["kind"] == "matched"]
@@ -246,10 +254,13 @@ def measured(arguments, plot, seed, name, options, clock):
         words = [arguments.bole, "run", REPOSITORY / "pipelines/forest_plot.json", "--out", out, "--no-cache"]
         for key, value in settings.items():
             words += ["--set", f"{key}={value}"]
-        print(f"{plot}, seed {seed}: {name} ...", file=sys.stderr, flush=True)
-        if not command(words, arguments.work / "run.log"):
+        print(f"{plot}, seed {seed}, {arguments.rate} Hz: {name} ...", file=sys.stderr, flush=True)
+        begun = time.monotonic()
+        code = command(words, arguments.work / "run.log", (0, ENDED_EARLY))
+        if code is None:
             return None
-        write_whole(kept, json.dumps(figures(arguments, out, scan), indent=1))
+        of_run = {"seconds": time.monotonic() - begun, "ended_early": code == ENDED_EARLY, **figures(arguments, out, scan)}
+        write_whole(kept, json.dumps(of_run, indent=1))
         shutil.rmtree(out, ignore_errors=True)
         clock.done()
     return json.loads(kept.read_text())
@@ -298,12 +309,9 @@ def both(value, decimals, printed):
     return text if printed is None else f"{text} ({printed:.{min(decimals, 3)}f})"
 
 
-def print_table(title, columns, rows):
-    print(f"\n{title}\n")
-    print("| | " + " | ".join(columns) + " |")
-    print("|---" * (len(columns) + 1) + "|")
-    for name, cells in rows:
-        print(f"| {name} | " + " | ".join(cells) + " |")
+def table_text(title, columns, rows):
+    lines = [f"\n{title}\n", "| | " + " | ".join(columns) + " |", "|---" * (len(columns) + 1) + "|"]
+    return "\n".join(lines + [f"| {name} | " + " | ".join(cells) + " |" for name, cells in rows])
 
 
 def main():
@@ -319,9 +327,10 @@ def main():
     parser.add_argument("--scans", type=pathlib.Path, help="folder with scans that are there, named PLOT-SEED")
     parser.add_argument("--budget", type=float, default=0, metavar="MINUTES", help="begin no run that would end later")
     parser.add_argument("--loop-radius", type=float, default=3, help="metres within which a revisit is right")
-    parser.add_argument("--rate", type=int, choices=[5, 10], default=10,
-                        help="revolutions of the scanner per second: 10, or 5 as in the paper (0.1 deg between pulses)")
+    parser.add_argument("--rate", type=int, choices=[5, 10], nargs="+", default=[10],
+                        help="revolutions of the scanner per second: 10, or 5 as in the paper (0.1 deg between pulses), or both")
     parser.add_argument("--keep", action="store_true", help="keep the scans")
+    parser.add_argument("--page", type=pathlib.Path, help="also write the tables into this page")
     arguments = parser.parse_args()
     arguments.work.mkdir(parents=True, exist_ok=True)
     signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
@@ -330,30 +339,79 @@ def main():
     for preset in arguments.ablation:
         for name, options in ABLATION[preset].items():
             variants[preset if not options else f"{preset}, {name}"] = {"preset": preset, **options}
-    runs = {(plot, name): [] for plot in arguments.plots for name in variants}
     clock = Clock(arguments.budget)
+    of_rate = {}
     left = 0
-    stopped = False
+    for rate in arguments.rate:
+        runs, not_run = all_runs(argparse.Namespace(**{**vars(arguments), "rate": rate}), variants, clock)
+        of_rate[rate] = runs
+        left += not_run
+    text = "\n".join(tables(arguments, rate, variants, whole(runs)) for rate, runs in of_rate.items())
+    print(text)
+    if left:
+        print(f"\n{left} of {left + sum(len(r) for runs in of_rate.values() for r in runs.values())} runs are missing: call again to go on.")
+    if arguments.page:
+        write_whole(arguments.page, page_text(arguments, variants, of_rate, text))
+    return 1 if any(r is None for runs in of_rate.values() for of in runs.values() for r in of) else 0
+
+
+def whole(runs):
+    """Without the runs that lost their track: their trees are those of a part of the walk."""
+    return {key: [r for r in of if r and not r.get("ended_early")] for key, of in runs.items()}
+
+
+def all_runs(arguments, variants, clock):
+    """The figures of all runs by plot and variant, at one rate, and how many runs are missing."""
+    runs = {(plot, name): [] for plot in arguments.plots for name in variants}
+    left = 0
     # Seed by seed, so that a call that is cut short has all plots and presets of the first ones.
     for seed in arguments.seeds:
         for plot in arguments.plots:
             for name, options in variants.items():
                 try:
-                    if stopped:
-                        clock.end = 0  # only what is there
                     runs[plot, name].append(measured(arguments, plot, seed, name, options, clock))
                 except OutOfTime:
                     left += 1
                 except KeyboardInterrupt:
-                    stopped = True
+                    clock.end = 0  # from now on only what is there
                     left += 1
-            if not arguments.keep and not stopped and left == 0:
+            if not arguments.keep and left == 0:
                 shutil.rmtree(own_scan(arguments, plot, seed), ignore_errors=True)
+    return runs, left
 
-    print_tables(arguments, variants, runs)
-    if left:
-        print(f"\n{left} of {len(runs) * len(arguments.seeds)} runs are missing: call again to go on.")
-    return 1 if any(r is None for of in runs.values() for r in of) else 0
+
+def page_text(arguments, variants, of_rate, text):
+    """A page that says what was run and what was not, above the tables."""
+    words = ["tests/bench/slam/slam_tables.py --bole BOLE --work DIR", "--rate", *arguments.rate, "--plots", *arguments.plots,
+             "--seeds", *arguments.seeds, "--presets", *arguments.presets]
+    if arguments.ablation:
+        words += ["--ablation", *arguments.ablation]
+    rows = []
+    for rate, runs in of_rate.items():
+        for (plot, name), of in runs.items():
+            done = whole({0: of})[0]
+            lost = [r for r in of if r and r.get("ended_early")]
+            state = f"{len(done)} of {len(arguments.seeds)} seeds"
+            if lost:
+                state += f", {len(lost)} lost the track after " + " and ".join(f"{r['frames']} frames" for r in lost)
+            if None in of:
+                state += f", {of.count(None)} failed"
+            seconds = median(done + lost, "seconds")
+            rows.append((f"{rate} Hz", [plot, name, state, "-" if seconds is None else f"{seconds / 60:.1f}"]))
+    presets = ["loam", "loam_paper", "forest", "forest_paper"]
+    full = [(rate, plot, preset) for rate in (10, 5) for plot in PLOTS[:4] for preset in presets]
+    here = [k for k in full if len(whole(of_rate.get(k[0], {})).get(k[1:], [])) >= 3]
+    missing = (f"{len(here)} of the {len(full)} sets of the full comparison (plots 1 to 4, three seeds each, "
+               f"{', '.join(presets)}, 10 and 5 Hz) are on this page.")
+    if len(here) < len(full):
+        missing += (" The others were not run. What stands here says whether a preset works and how it compares on these scans; it does "
+                    "not say how it compares on the plots of the paper.")
+    return "\n".join(["# SLAM: tables 2 and 3 of the paper on improved LOAM", "",
+                      "The tables of the paper (SPEC A) for presets of `slam.run`, on simulated scans with known truth. Figures in brackets are those",
+                      "that the paper published for the same system on its own plots (plot1 to plot4).", "", "```", " ".join(map(str, words)) + f" --page {arguments.page}",
+                      "```", "", f"Written by this command on {datetime.date.today()}. It begins no run twice: finished ones stay in `DIR`.", "",
+                      "## What was run", "", table_text("", ["plot", "preset", "finished", "minutes per run"], rows).lstrip("\n"), "", missing, "",
+                      "## Tables", text, ""])
 
 
 def paper_rows(variants, runs, plots, table):
@@ -369,15 +427,17 @@ def paper_rows(variants, runs, plots, table):
     return rows
 
 
-def print_tables(arguments, variants, runs):
+def tables(arguments, rate, variants, runs):
     seeds = f"{len(arguments.seeds)} seeds" if len(arguments.seeds) > 1 else f"seed {arguments.seeds[0]}"
-    scans = f"simulated scans at {arguments.rate} Hz, {seeds}"
+    scans = f"simulated scans at {rate} Hz, {seeds}"
+    out = []
     for title, table in [("Table 2, stem positions", TABLE_2), ("Table 3, diameters", TABLE_3)]:
-        print_table(f"{title}: measured on {scans}, all matched trees (published for the same system, field data)",
-                    [c for _, c, _ in table], paper_rows(variants, runs, arguments.plots, table))
+        out.append(table_text(f"{title}: measured on {scans}, all matched trees (published for the same system, field data)",
+                              [c for _, c, _ in table], paper_rows(variants, runs, arguments.plots, table)))
     for title, measures in [("Walls and intervals", DIAMETER), ("Trajectory, detection, time", TRACK)]:
         rows = [(f"{plot}, {name}", [cell(median(r, m)) for m, _ in measures]) for (plot, name), r in runs.items() if any(r)]
-        print_table(f"{title}: median of {scans}", [c for _, c in measures], rows)
+        out.append(table_text(f"{title}: median of {scans}", [c for _, c in measures], rows))
+    return "\n".join(out)
 
 
 if __name__ == "__main__":

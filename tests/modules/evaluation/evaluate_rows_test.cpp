@@ -43,6 +43,19 @@ TEST(EvaluateRows, PlantsTellRowsAssignmentAndMissing) {
   EXPECT_EQ(e.rows.rows(), 4U);
 }
 
+TEST(EvaluateRows, ReferenceLinesReachFromTheFirstPlantToTheLast) {
+  // y = 0.5 x + 1 with errors that leave the least-squares line where it is.
+  const std::vector<std::array<double, 3>> truth{{1, 0, 1.1}, {1, 2, 1.8}, {1, 4, 3.2}, {1, 6, 3.9}};
+  const auto e = evaluate_rows(plants(truth), plants(truth), {});
+  ASSERT_EQ(e.reference_lines.rows(), 2U);
+  const auto x = e.reference_lines.numbers("x_m"), y = e.reference_lines.numbers("y_m");
+  const double slope = (y[1] - y[0]) / (x[1] - x[0]);
+  EXPECT_NEAR(std::atan(slope) * 180 / M_PI, e.rows.numbers("ref_angle_deg")[0], 1e-9);
+  EXPECT_NEAR(y[0] + slope * (3 - x[0]), 2.5, 1e-9) << "through the mean";
+  EXPECT_NEAR(x[0], 0, 0.1);
+  EXPECT_NEAR(x[1], 6, 0.1);
+}
+
 TEST(EvaluateRows, LinesTellAngles) {
   Table truth, found;
   truth.set("row_id", std::vector<std::int64_t>{1, 2}), truth.set("x0_m", std::vector<double>{0, 0});

@@ -43,6 +43,42 @@ TEST_F(EvaluationStage, ComparesWithAReference) {
   EXPECT_EQ(result.report.metrics.at("dbh_bias").unit, Unit::centimetre);
 }
 
+Table two_rows(double turn_rad, double shift_m) {
+  std::vector<std::int64_t> row;
+  std::vector<double> x, y;
+  for (const int r : {1, 2})
+    for (int i = 0; i < 6; ++i) {
+      row.push_back(r);
+      x.push_back(0.8 * i * std::cos(turn_rad) + shift_m);
+      y.push_back(0.8 * i * std::sin(turn_rad) + 3 * r);
+    }
+  Table t;
+  t.set("row_id", row);
+  t.set("x_m", x);
+  t.set("y_m", y);
+  return t;
+}
+
+pipeline::StageResult evaluated_rows(double turn_rad, double shift_m) {
+  DataSet in;
+  in.set("plants", two_rows(turn_rad, shift_m));
+  in.set("reference", two_rows(0, 0));
+  const auto& type = pipeline::StageRegistry::global().at("evaluation.rows");
+  return pipeline::run_stage(type, in, OptionSet(*type.options), {});
+}
+
+TEST_F(EvaluationStage, RowsAreJudgedByTheirAngles) {
+  const auto result = evaluated_rows(0.02, 0);
+  EXPECT_EQ(result.report.counts.at("rows_matched"), 2);
+  EXPECT_NEAR(result.report.metrics.at("angle_error_mean").value, 0.02 * 180 / M_PI, 1e-6);
+  EXPECT_EQ(result.outputs.table("lines").rows(), 4U) << "two ends of two rows";
+  EXPECT_EQ(result.outputs.table("matches").rows(), 2U);
+}
+
+TEST_F(EvaluationStage, RowsInOtherAxesAreSuspected) {
+  EXPECT_THAT(evaluated_rows(0, 40).report.warnings, testing::Contains(testing::HasSubstr("same axes")));
+}
+
 TEST_F(EvaluationStage, WarnsOfTreesWithoutAPlace) {
   auto reference = one_tree(0, 20).subset({0, 0});
   reference.set("x_m", std::vector<double>{0, std::nan("")});

@@ -57,9 +57,13 @@ TEST(RunFolders, ReadsWhatARunLeft) {
   write(dir / "a/trajectory.tum", "1 0 0 1.5 0 0 0 1\n2 1 0 1.5 0 0 0 1\n");
   write(dir / "a/reference_trees.csv", "tree_id,x_m,y_m,D\n7,0.5,1,205\n");
   write_plot(dir / "a/plot.csv", {rectangle_area({1, 2}, 16, 12, 0.1), 7.5});
+  write(dir / "a/loops.csv", "from_keyframe,to_keyframe,from_time_s,to_time_s,overlap\n3,40,1.5,20.25,0.8\n");
   write(dir / "b/stems.csv", stems_text);
   const auto found = read((dir / "a").string() + ", " + (dir / "b").string());
   ASSERT_EQ(found.runs.rows(), 2U);
+  EXPECT_THAT(found.runs.integers("loops"), testing::ElementsAre(1, 0));
+  EXPECT_THAT(found.loops.integers("run"), testing::ElementsAre(1));
+  EXPECT_THAT(found.loops.numbers("to_time_s"), testing::ElementsAre(20.25));
   EXPECT_THAT(found.runs.texts("name"), testing::ElementsAre("a", "b"));
   EXPECT_EQ(found.runs.texts("system")[0], "forest deskew=once");
   EXPECT_EQ(found.runs.texts("preset")[0], "forest");

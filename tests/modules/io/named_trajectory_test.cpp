@@ -1,4 +1,5 @@
 #include "io/core/tables/named_trajectory.h"
+#include "io/core/tables/sbet_reader.h"
 
 #include <gmock/gmock.h>
 

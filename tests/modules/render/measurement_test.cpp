@@ -105,6 +105,39 @@ TEST(ViewFurniture, WhatDidNotChangeKeepsItsState) {
   EXPECT_NE(before[1].state, after[1].state);
 }
 
+TEST(TreeMarks, NumbersKeepApartAndTheFirstGoesBefore) {
+  const auto mark = [](double x, double y, const char* number) {
+    TreeMark m;
+    m.at_mm = {x, y};
+    m.number = number;
+    return m;
+  };
+  const Box view{0, 0, 100, 100};
+  const auto kept =
+      kept_apart({mark(50, 50, "7"), mark(51, 50.5, "8"), mark(50, 58, "9"), mark(99.9, 50, "10")}, view, 9);
+  ASSERT_EQ(kept.size(), 2u);
+  EXPECT_EQ(kept[0].number, "7");
+  EXPECT_EQ(kept[1].number, "9");
+  EXPECT_FALSE(mark_box(kept[0]).overlaps(mark_box(kept[1])));
+  EXPECT_EQ(kept_apart({mark(20, 20, "1"), mark(50, 50, "2"), mark(80, 80, "3")}, view, 2).size(), 2u);
+}
+
+TEST(TreeMarks, TheLegendNamesWhatIsSeen) {
+  TreeMark good, struck;
+  good.quality = "good";
+  struck.quality = "poor", struck.state = "rejected";
+  EXPECT_EQ(tree_legend_height_mm({}), 0);
+  EXPECT_LT(tree_legend_height_mm({good}), tree_legend_height_mm({good, struck}));
+  EXPECT_NE(tree_legend_state({good}), tree_legend_state({good, struck}));
+  EXPECT_EQ(tree_legend_state({good, struck}), tree_legend_state({struck, good, good}));
+  ViewFurniture f;
+  f.width_mm = 200, f.height_mm = 120, f.north = false;
+  f.trees = {good, struck};
+  EXPECT_EQ(furniture_patches(f).size(), 2u);
+  f.tree_legend = true;
+  EXPECT_EQ(furniture_patches(f).size(), 3u);
+}
+
 TEST(EyeDome, TheShadowIsTheShading) {
   const int width = 40, height = 30;
   std::vector<float> depth(width * height, 5);

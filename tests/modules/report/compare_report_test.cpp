@@ -106,6 +106,7 @@ class CompareReport : public testing::Test {
       io::write_tum(folder / "reference_trajectory.tum", walk(0));
     }
     if (cloud) io::write_cloud(folder / "cloud.las", cloud_of(stems));
+    if (loops_) std::ofstream(folder / "loops.csv") << "from_time_s,to_time_s\n1,15\n3,18\n";
     std::ofstream(folder / "summary.json")
         << R"({"axes": "plot", "stages": [{"type": "slam.run", "options": {"preset": ")" << preset << "\"}}]}";
     folders_ += (folders_.empty() ? "" : ",") + folder.string();
@@ -129,6 +130,7 @@ class CompareReport : public testing::Test {
     in.set("poses", read.poses);
     in.set("boundaries", read.boundaries);
     in.set("reference_poses", read.reference_poses);
+    in.set("loops", read.loops);
     return write_compare_report(in, options, run_);
   }
 
@@ -140,7 +142,7 @@ class CompareReport : public testing::Test {
 
   std::filesystem::path dir_;
   std::string folders_;
-  bool keep_ = false;
+  bool keep_ = false, loops_ = false;
   bole::Run run_;
 };
 
@@ -158,6 +160,7 @@ TEST_F(CompareReport, WritesTablesFiguresAndPage) {
     for (const char* ending : {".png", ".svg", ".pdf"})
       EXPECT_TRUE(std::filesystem::is_regular_file(run_.output_dir / "figures" / (std::string(figure) + ending)))
           << figure << ending;
+  EXPECT_FALSE(std::filesystem::exists(run_.output_dir / "figures/loop_closure.png")) << "no run closed a loop";
   const auto diameters = io::read_table(run_.output_dir / "diameters.csv");
   ASSERT_EQ(diameters.rows(), 2U);
   EXPECT_NEAR(diameters.numbers("dbh_bias_cm")[1], 2.5, 1e-6);
@@ -171,6 +174,23 @@ TEST_F(CompareReport, WritesTablesFiguresAndPage) {
   const auto page = file_text(run_.output_dir / "report.html");
   EXPECT_THAT(page, HasSubstr("(12.80)"));
   EXPECT_THAT(page, HasSubstr("from field data"));
+}
+
+TEST_F(CompareReport, LoopClosuresAreShownWhereARunHasSome) {
+  write_run("open", "forest loops=none", 1, 0.12, 0.3, 0.02, true, true);
+  loops_ = true;
+  write_run("closed", "forest", 1, 0.01, 0.3, 0.02, true, true);
+  auto options = quick();
+  if (keep_) options.dpi = 150;
+  const auto result = compare(options, "plot1,plot1");
+  EXPECT_THAT(result.report.warnings, testing::IsEmpty());
+  const auto figure = file_text(run_.output_dir / "figures/loop_closure.svg");
+  ASSERT_FALSE(figure.empty());
+  EXPECT_THAT(file_text(run_.output_dir / "report.html"), HasSubstr("green lines join the two places"));
+  // Two pictures: the maps of both runs, from their clouds.
+  std::size_t pictures = 0;
+  for (auto at = figure.find("<image"); at != std::string::npos; at = figure.find("<image", at + 1)) ++pictures;
+  EXPECT_EQ(pictures, 2U);
 }
 
 TEST_F(CompareReport, FiguresOfSeveralPlotsAreByPlotAndPooled) {

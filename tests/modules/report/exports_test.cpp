@@ -189,6 +189,22 @@ TEST(Exports, APlaceOnTheEarthIsInEveryFile) {
   EXPECT_NEAR(there->GetGeometryRef()->toPoint()->getX(), 9.86, 0.02);
   EXPECT_NEAR(there->GetGeometryRef()->toPoint()->getY(), 48.86, 0.02);
   GDALClose(json);
+
+  const auto path = io::read_table(dir / "trajectory_global.csv");
+  ASSERT_EQ(path.rows(), s.trajectory.poses.size());
+  const Eigen::Vector3d last = frame.to_global(s.trajectory.poses.back().T_target_sensor.translation());
+  EXPECT_NEAR(path.numbers("easting_m").back(), last.x(), 1e-4);
+  EXPECT_NEAR(path.numbers("northing_m").back(), last.y(), 1e-4);
+  EXPECT_NEAR(path.numbers("height_m").back(), last.z(), 1e-4);
+  const auto first_point = [&](const char* file) {
+    const auto text = file_text(dir / file);
+    std::istringstream numbers(text.substr(text.find('>', text.find("NumberOfComponents=\"3\"")) + 1));
+    Eigen::Vector3d p = Eigen::Vector3d::Zero();
+    numbers >> p.x() >> p.y() >> p.z();
+    return p;
+  };
+  EXPECT_LT((first_point("stems_global.vtp") - frame.to_global(first_point("stems.vtp"))).norm(), 1e-3)
+      << "the same solids in the coordinate system; stems.vtp stays in the axes of the plot";
   std::filesystem::remove_all(dir);
 }
 

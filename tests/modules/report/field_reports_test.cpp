@@ -11,7 +11,7 @@
 
 #include "report/check_files.h"
 #include "report/revisit_report.h"
-#include "report/rows_report.h"
+#include "report/rows/rows_report.h"
 #include "report/steering_report.h"
 
 namespace bole::report {
@@ -83,6 +83,83 @@ TEST(RowsReport, WritesDrawnRowsEditsAndThePage) {
   EXPECT_THAT(page, HasSubstr("A. Smith"));
   EXPECT_THAT(page, HasSubstr("&lt;seen&gt;"));
   EXPECT_THAT(page, HasSubstr("rows: planted too unevenly to tell missing plants"));
+}
+
+// A frame of two rows of three tubes on a floor.
+PointCloud frame_points(bool floor, bool numbered) {
+  PointCloud::Positions points;
+  std::vector<std::int32_t> plant;
+  for (int k = 0; k < 6; ++k)
+    for (int i = 0; i < 40; ++i) {
+      points.emplace_back(k % 2 == 0 ? -0.7F : 0.8F, 2.0F + 0.9F * static_cast<float>(k / 2),
+                          -0.4F + 0.025F * static_cast<float>(i));
+      plant.push_back(k + 1);
+    }
+  if (floor)
+    for (int i = 0; i < 60; ++i)
+      for (int j = 0; j < 60; ++j) {
+        points.emplace_back(-3 + 0.1F * static_cast<float>(i), 0.1F * static_cast<float>(j), -0.45F);
+        plant.push_back(0);
+      }
+  PointCloud cloud(std::move(points));
+  if (numbered) cloud.set_column("plant", std::move(plant));
+  return cloud;
+}
+
+DataSet frame_with_rows() {
+  DataSet in;
+  const Integers ids{1, 1, 1, 2, 2, 2};
+  const Numbers x{-0.7, -0.7, -0.7, 0.8, 0.8, 0.8}, y{2, 2.9, 3.8, 2, 2.9, 3.8};
+  in.set("rows", table(std::pair("row_id", Integers{1, 2}), std::pair("angle_deg", Numbers{90, 90}),
+                       std::pair("x0_m", Numbers{-0.7, 0.8}), std::pair("y0_m", Numbers{2, 2}),
+                       std::pair("x1_m", Numbers{-0.7, 0.8}), std::pair("y1_m", Numbers{3.8, 3.8}),
+                       std::pair("plants", Integers{3, 3})));
+  in.set("plants", table(std::pair("row_id", ids), std::pair("number", Integers{1, 2, 3, 1, 2, 3}), std::pair("x_m", x),
+                         std::pair("y_m", y), std::pair("state", Texts(6, "present"))));
+  const auto lines = table(std::pair("row_id", Integers{1, 1, 2, 2}), std::pair("x_m", Numbers{-0.7, -0.7, 0.8, 0.8}),
+                           std::pair("y_m", Numbers{2, 3.8, 2, 3.8}));
+  in.set("lines", lines);
+  in.set("region", frame_points(true, false));
+  in.set("cleaned", frame_points(false, false));
+  in.set("clusters", frame_points(false, true));
+  in.set("trunks", frame_points(false, true));
+  in.set("centres", table(std::pair("x_m", x), std::pair("y_m", y)));
+  in.set("reference", table(std::pair("row_id", ids), std::pair("x_m", x), std::pair("y_m", y)));
+  in.set("reference_lines", lines);
+  in.set("matches", table(std::pair("kind", Texts{"matched", "matched"}), std::pair("row_id", Texts{"1", "2"}),
+                          std::pair("ref_id", Texts{"1", "2"}), std::pair("angle_deg", Numbers{90.25, 90}),
+                          std::pair("ref_angle_deg", Numbers{90, 90}), std::pair("angle_error_deg", Numbers{0.25, 0})));
+  return in;
+}
+
+TEST(RowsReport, DrawsTheStepsOfAFrameAndTheReference) {
+  Folder folder;
+  RowsReportOptions options;
+  options.dpi = 60;
+  const auto in = frame_with_rows();
+  const auto result = write_rows_report(in, options, folder.run);
+  EXPECT_TRUE(result.report.warnings.empty()) << result.report.warnings.front();
+  for (const char* figure : {"row_map", "row_steps", "rows_and_reference", "rows_over_reference"})
+    for (const char* ending : {".png", ".svg", ".pdf"})
+      EXPECT_TRUE(fs::exists(folder.run.output_dir / "figures" / (std::string(figure) + ending))) << figure << ending;
+  EXPECT_TRUE(fs::exists(folder.run.output_dir / "row_matches.csv"));
+  const auto page = text_of(folder.run.output_dir / "report.html");
+  EXPECT_THAT(page, HasSubstr("Comparison with the reference"));
+  EXPECT_THAT(page, HasSubstr("From the frame to the rows"));
+}
+
+TEST(RowsReport, WithoutTheStepsAndAReferenceThereIsTheMapAlone) {
+  Folder folder;
+  RowsReportOptions options;
+  options.dpi = 60;
+  DataSet in;
+  const auto all = frame_with_rows();
+  for (const char* port : {"rows", "plants", "lines"}) in.set(port, all.table(port));
+  in.set("region", all.cloud("region"));  // one step is no sheet
+  write_rows_report(in, options, folder.run);
+  EXPECT_TRUE(fs::exists(folder.run.output_dir / "figures/row_map.png"));
+  for (const char* figure : {"row_steps", "rows_and_reference", "rows_over_reference"})
+    EXPECT_FALSE(fs::exists(folder.run.output_dir / "figures" / (std::string(figure) + ".png"))) << figure;
 }
 
 TEST(SteeringReport, ShowsCentimetresAndLeavesOutWhatIsNotKnown) {

@@ -242,6 +242,17 @@ TEST(FindRows, NorthwardRowsHaveAnAngle) {
   EXPECT_EQ(row_angle(-std::numbers::pi / 2), std::numbers::pi / 2);
 }
 
+TEST(FindRows, NoRowsInAWrongDirectionSaysSo) {
+  const auto table = table_of(trials()[1].left);
+  EXPECT_EQ(find(table).report.counts.at("rows"), 1);
+  RowOptions across;
+  across.direction_deg = 90;
+  const auto none = find(table, across);
+  EXPECT_EQ(none.report.counts.at("rows"), 0);
+  ASSERT_FALSE(none.report.warnings.empty());
+  EXPECT_THAT(none.report.warnings.back(), HasSubstr("leave direction open"));
+}
+
 TEST(FindRows, ARowIdColumnFixesTheAssignment) {
   Table t = table_of({{0, 0}, {1, 0.1}, {2, -0.1}, {0, 2}, {5, 5}, {1, 2}, {9, 9}});
   t.set("row_id", std::vector<double>{7, 7, 7, 3, std::nan(""), 3, 11});

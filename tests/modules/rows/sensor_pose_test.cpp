@@ -9,7 +9,7 @@
 #include "base/angles.h"
 #include "base/transform.h"
 #include "checks.h"
-#include "rows/core/frame/frame_plants.h"
+#include "rows/core/frame/place_stems.h"
 #include "rows/core/rows/find_rows.h"
 
 namespace bole::rows {

@@ -8,7 +8,8 @@
 
 #include "base/error.h"
 #include "rows/core/frame/frame_filters.h"
-#include "rows/core/frame/frame_plants.h"
+#include "rows/core/frame/mean_shift.h"
+#include "rows/core/frame/trunk_centres.h"
 
 namespace bole::rows {
 namespace {
@@ -97,7 +98,7 @@ TEST(Frame, TheFaceNeedsTheDenseFrame) {
   o.centre = TrunkCentre::face;
   Report report;
   EXPECT_THROW(trunk_centres(plants, nullptr, o, report), Error);
-  EXPECT_EQ(trunk_centres(plants, &plants, o, report).rows(), 0U);
+  EXPECT_EQ(trunk_centres(plants, &plants, o, report).stems.rows(), 0U);
 }
 
 }  // namespace

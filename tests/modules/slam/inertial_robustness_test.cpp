@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/angles.h"
+#include "cloud/known_facts.h"
 #include "modules/slam/walks.h"
 #include "slam/core/slam.h"
 #include "synthetic/inertial_unit.h"
@@ -59,6 +61,10 @@ TEST(InertialSlam, TheMapIsLevelAndNoWorseThanWithout) {
   EXPECT_EQ(with.report.counts.at("frames"), 30) << testing::PrintToString(with.report.warnings);
   EXPECT_EQ(with.report.counts.at("frames_inertial"), 29);
   EXPECT_EQ(with.report.facts.at("level"), "gravity");
+  const auto sigma_deg = fact_number(with.points.facts, facts::level_sigma);
+  ASSERT_TRUE(sigma_deg);
+  EXPECT_EQ(fact_number(with.trajectory.facts, facts::level_sigma), sigma_deg);
+  EXPECT_FALSE(fact_number(without.points.facts, facts::level_sigma));
   EXPECT_LT(worst_m(with.trajectory, scan), 0.05);
   EXPECT_LT(worst_m(with.trajectory, scan), worst_m(without.trajectory, scan) + 0.01);
   const auto tilt = [&](const Trajectory& trajectory) {
@@ -67,6 +73,8 @@ TEST(InertialSlam, TheMapIsLevelAndNoWorseThanWithout) {
     return std::acos(R_map_world(2, 2));
   };
   EXPECT_LT(tilt(with.trajectory), 0.009);  // half a degree
+  std::printf("level: %.3f deg off, %.3f deg per axis said\n", degrees(tilt(with.trajectory)), *sigma_deg);
+  EXPECT_LT(degrees(tilt(with.trajectory)), 3.5 * *sigma_deg);
   EXPECT_GT(tilt(without.trajectory), 0.15);
 }
 

@@ -1,5 +1,5 @@
 // Recorded fixes through lever arm and filter, and what is told of bad ones.
-#include "steering/core/navigate_track.h"
+#include "steering/core/track/navigate_track.h"
 #include "base/verdict.h"
 #include "checks.h"
 

@@ -1,4 +1,4 @@
-#include "steering/core/plan_lines.h"
+#include "steering/core/plan/plan_lines.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

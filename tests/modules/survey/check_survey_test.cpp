@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/verdict.h"
+#include "cloud/known_facts.h"
 #include "modules/survey/check_plot.h"
 
 namespace bole::survey {
@@ -116,6 +117,18 @@ TEST(CheckSurvey, ATiltedFrameIsFound) {
   const auto check = checked(PlotMaker(10, spoil).make());
   EXPECT_TRUE(row_of(check, "frame_tilted")) << all_findings(check);
   EXPECT_NEAR(check.report.metrics.at("common_lean").value, 2, 0.6);
+}
+
+TEST(CheckSurvey, AStandThatLeansUnderAKnownGravityIsNoTiltedFrame) {
+  PlotSpoil spoil;
+  spoil.lean = std::tan(2 * std::numbers::pi / 180);
+  auto plot = PlotMaker(10, spoil).make();
+  set_fact(plot.points.facts, facts::level_sigma, 0.05);
+  const auto check = checked(plot);
+  EXPECT_FALSE(row_of(check, "frame_tilted")) << all_findings(check);
+  EXPECT_NEAR(check.report.metrics.at("common_lean").value, 2, 0.6);
+  set_fact(plot.points.facts, facts::level_sigma, 1);  // tells the lean from nothing
+  EXPECT_TRUE(row_of(checked(plot), "frame_tilted"));
 }
 
 TEST(CheckSurvey, TargetsThatAreMissingOrMovedAreFound) {

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <random>
 
+#include "checks.h"
+#include "cloud/known_facts.h"
 #include "survey/core/move_cloud.h"
 #include "synthetic/target_plot.h"
 
@@ -70,6 +72,32 @@ TEST(PlotFrame, TiltedMapsOfSlopingPlotsAreSetRight) {
     EXPECT_NEAR(frame.targets.numbers("y_m")[1], 16, 0.03);
     EXPECT_EQ(frame.targets.facts.at("axes"), "plot");
   }
+}
+
+TEST(PlotFrame, GravityThatAUnitToldGoesBeforeTheStems) {
+  TargetPlotRecipe r;
+  auto plot = TargetPlotMaker(r).make(Pose::Identity());
+  FrameOptions options;
+  options.level = Level::gravity;
+  EXPECT_THAT(testing_checks::refusal_of([&] { find(plot, options); }), HasSubstr("direction of gravity"));
+  const auto by_stems = find(plot);
+  EXPECT_FALSE(by_stems.by_gravity);
+
+  set_fact(plot.cloud.facts, facts::level_sigma, 0.04);
+  for (const auto level : {Level::automatic, Level::gravity}) {
+    options.level = level;
+    const auto frame = find(plot, options);
+    EXPECT_TRUE(frame.by_gravity);
+    EXPECT_EQ(frame.report.facts.at("level"), "gravity");
+    EXPECT_NEAR(frame.report.metrics.at("tilt_standard_error").value, 0.04, 1e-12);
+    EXPECT_NEAR(frame.T_plot_map.linear()(2, 2), 1, 1e-12);  // z stays up
+    EXPECT_NEAR(frame.report.metrics.at("target_distance").value, by_stems.report.metrics.at("target_distance").value,
+                0.2);
+  }
+  options.level = Level::stems;
+  EXPECT_FALSE(find(plot, options).by_gravity);
+  set_fact(plot.cloud.facts, facts::level_sigma, 0.8);  // the stems tell it better
+  EXPECT_EQ(find(plot).report.facts.at("level"), "stems");
 }
 
 TEST(PlotFrame, UprightStemsTellTheVerticalToATenthOfADegree) {

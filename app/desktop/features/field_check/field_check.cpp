@@ -18,6 +18,7 @@
 #include "document/edit_list.h"
 #include "features/field_check/field_list_dialog.h"
 #include "io/core/tables/table_file.h"
+#include "look/last_folder.h"
 #include "panels/row_filter.h"
 #include "panels/table_model.h"
 #include "render/scene/actors.h"
@@ -58,8 +59,9 @@ void FieldCheck::make_commands() {
   bench_.commands().add(
       {.id = "field.load", .text = tr("Load field measurements…"), .places = {in_menu(Menu::stem, 1)}, .act = [this] {
          const QString file =
-             QFileDialog::getOpenFileName(&bench_, tr("Load field measurements"), {}, tr("Tables (*.csv *.txt)"));
-         if (!file.isEmpty()) load(file);
+             QFileDialog::getOpenFileName(&bench_, tr("Load field measurements"), last_folder("open"),
+                                          tr("Tables (*.csv *.txt)"));
+         if (!file.isEmpty()) load(note_folder("open", file));
        }});
   bench_.commands().add(
       {.id = "field.add_missed",

@@ -51,7 +51,7 @@ std::vector<MatchRow> match_rows(const Table& matches) {
 }
 
 PlotMap::PlotMap(Selection& selection, QWidget* parent) : QWidget(parent), selection_(selection) {
-  setMinimumSize(200, 180);
+  setMinimumSize(150, 110);
   setMouseTracking(false);
   connect(&selection_, &Selection::changed, this, [this] {
     for (std::size_t i = 0; i < rows_.size(); ++i)

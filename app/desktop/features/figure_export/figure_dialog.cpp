@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "base/atomic_file.h"
+#include "look/last_folder.h"
 
 namespace bole::desktop {
 namespace {
@@ -77,8 +78,10 @@ FigureDialog::FigureDialog(FigureSource source, QWidget* parent)
   connect(this, &FigureDialog::saved, this, [this](const QStringList& files) { size_->setText(files.join('\n')); });
   connect(save_, &QPushButton::clicked, this, [this] {
     const QString ending = endings[format_->currentIndex()];
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save figure"),
-                                                      figure_->currentText().replace(' ', '_') + ending, "*" + ending);
+    const QString name = figure_->currentText().replace(' ', '_') + ending;
+    const QString path = note_folder(
+        "export",
+        QFileDialog::getSaveFileName(this, tr("Save figure"), in_last_folder("export", name), "*" + ending));
     if (!path.isEmpty()) save(path);
   });
   size_->setWordWrap(true);

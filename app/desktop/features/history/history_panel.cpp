@@ -103,7 +103,7 @@ void HistoryPanel::fill_runs() {
   const auto before = chosen();
   list_->clear();
   for (auto job = runs_.jobs().rbegin(); job != runs_.jobs().rend(); ++job) {
-    if (!(*job)->sinks || !(*job)->over()) continue;
+    if (!(*job)->asked || !(*job)->over()) continue;
     const auto& j = **job;
     const bool shown = j.has_result();
     auto* item = new QTreeWidgetItem(

@@ -12,6 +12,7 @@
 
 #include "base/atomic_file.h"
 #include "features/measure/measure_panel.h"
+#include "look/last_folder.h"
 #include "stems/core/fit/circle_fit.h"
 #include "views/scene_view.h"
 #include "workbench/workbench.h"
@@ -95,8 +96,9 @@ MeasureTool::MeasureTool(Workbench& bench) : QObject(&bench), bench_(bench), pan
     if (which >= 0) bench_.scene().zoom_to(list_[static_cast<std::size_t>(which)].points.front());
   });
   connect(panel_, &MeasurePanel::export_asked, this, [this] {
-    const QString path =
-        QFileDialog::getSaveFileName(&bench_, tr("Export measurements"), "measurements.csv", tr("Tables (*.csv)"));
+    const QString path = QFileDialog::getSaveFileName(
+        &bench_, tr("Export measurements"), in_last_folder("export", "measurements.csv"), tr("Tables (*.csv)"));
+    note_folder("export", path);
     if (!path.isEmpty()) bench_.guarded([&] { export_csv(path); });
   });
   panel_->show_list(list_);
@@ -107,7 +109,7 @@ void MeasureTool::make_commands() {
     bench_.commands().add({.id = id,
                            .text = text,
                            .key = key,
-                           .places = {in_menu(Menu::tools)},
+                           .places = {in_menu(Menu::tools), in_tool_bar("measure_bar")},
                            .turn = [this, kind](bool on) { on ? start(kind) : stop(); },
                            .checked_when = [this, kind] { return tool_ == kind; }});
   };

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "document/edit_list.h"
@@ -23,13 +24,27 @@ namespace {
 using rows::RowEdit;
 
 const std::string rows_layer = "rows";
-constexpr double ground_reach_m = 1.0, tick_m = 0.15, above_ground_m = 0.05;
+constexpr double ground_reach_m = 1.0, tick_m = 0.15, plant_m = 0.06, above_ground_m = 0.05;
 constexpr std::size_t max_ground_samples = 40'000;
 constexpr double min_row_m = 0.1;
 
 std::vector<std::vector<Eigen::Vector3d>> cross_at(const Eigen::Vector3d& at) {
   const Eigen::Vector3d a(tick_m, tick_m, 0), b(tick_m, -tick_m, 0);
   return {{at - a, at + a}, {at - b, at + b}};
+}
+
+// Closed: a square for a gap, six corners for a plant.
+std::vector<Eigen::Vector3d> outline_at(const Eigen::Vector3d& at, int corners, double radius_m) {
+  std::vector<Eigen::Vector3d> line;
+  for (int k = 0; k <= corners; ++k) {
+    const double angle = 2 * std::numbers::pi * (k + 0.5) / corners;
+    line.emplace_back(at + radius_m * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0));
+  }
+  return line;
+}
+
+bool is_gap(const Table& plants, std::size_t row) {
+  return plants.has("state") && plants.text("state", row) == "missing";
 }
 
 }  // namespace
@@ -190,26 +205,35 @@ SceneDrawing RowEditor::drawing_of(const Row& row) const {
 void RowEditor::draw() {
   std::vector<SceneDrawing> drawings;
   for (const auto& row : rows_) drawings.push_back(drawing_of(row));
-  // Gaps of rows and plants in no row, after the rows: clicks count drawings.
-  SceneDrawing doubtful;
-  doubtful.warning = true;
-  const auto mark = [&](const Table& table, bool missing_only) {
-    if (!table.has("x_m") || !table.has("y_m")) return;
-    const auto x = table.numbers("x_m"), y = table.numbers("y_m");
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      if (missing_only && (!table.has("state") || table.text("state", i) != "missing")) continue;
-      for (auto& line : cross_at(on_ground({x[i], y[i]}))) doubtful.lines.push_back(std::move(line));
-    }
-  };
-  if (survey_.rows && survey_.plants) mark(*survey_.plants, true);
-  if (survey_.rows && survey_.strays) mark(*survey_.strays, false);
-  if (!doubtful.lines.empty()) drawings.push_back(std::move(doubtful));
+  draw_plants(drawings);
   if (clicked_.size() == 1) {
     SceneDrawing begin;
     begin.marks = {on_ground(clicked_[0])};
     drawings.push_back(std::move(begin));
   }
   bench_.scene().set_drawings(rows_layer, std::move(drawings));
+}
+
+// Plants, gaps of rows (squares) and plants in no row (crosses), after the rows: clicks count drawings.
+void RowEditor::draw_plants(std::vector<SceneDrawing>& drawings) const {
+  SceneDrawing plants, doubtful;
+  doubtful.warning = true;
+  const auto each = [&](const std::shared_ptr<const Table>& table, const auto& act) {
+    if (!survey_.rows || !table || !table->has("x_m") || !table->has("y_m")) return;
+    const auto x = table->numbers("x_m"), y = table->numbers("y_m");
+    for (std::size_t i = 0; i < x.size(); ++i) act(i, on_ground({x[i], y[i]}));
+  };
+  each(survey_.plants, [&](std::size_t i, const Eigen::Vector3d& at) {
+    if (is_gap(*survey_.plants, i))
+      doubtful.lines.push_back(outline_at(at, 4, tick_m));
+    else
+      plants.lines.push_back(outline_at(at, 6, plant_m));
+  });
+  each(survey_.strays, [&](std::size_t, const Eigen::Vector3d& at) {
+    for (auto& line : cross_at(at)) doubtful.lines.push_back(std::move(line));
+  });
+  for (auto* all : {&plants, &doubtful})
+    if (!all->lines.empty()) drawings.push_back(std::move(*all));
 }
 
 const RowEditor::Row* RowEditor::selected() const {

@@ -51,6 +51,7 @@ class RowEditor : public QObject {
   double ground_z(const Eigen::Vector2d& at) const;
   Eigen::Vector3d on_ground(const Eigen::Vector2d& at) const;
   void draw();
+  void draw_plants(std::vector<SceneDrawing>& drawings) const;
   SceneDrawing drawing_of(const Row& row) const;
   const Row* selected() const;
   const Row& selected_or_refuse() const;  // throws bole::Error

@@ -3,7 +3,6 @@
 #include <QDockWidget>
 #include <QProgressBar>
 #include <QStatusBar>
-#include <QStyle>
 
 #include "features/run/jobs_panel.h"
 #include "render/charts/plant_charts.h"
@@ -31,32 +30,28 @@ void make_progress(Workbench* b) {
 
 void make_commands(Workbench* b) {
   auto& commands = b->commands();
-  const auto icon = [b](QStyle::StandardPixmap which) { return b->style()->standardIcon(which); };
   commands.add({.id = "run.all",
                 .text = Workbench::tr("Run"),
                 .key = Qt::Key_F5,
                 .places = {in_menu(Menu::run), in_tool_bar("run_bar")},
                 .act = [b] { b->run(); },
-                .enabled_when = b->with_document(),
-                .icon = icon(QStyle::SP_MediaPlay)});
+                .enabled_when = b->with_document()});
   commands.add({.id = "run.without_files",
                 .text = Workbench::tr("Run without writing files"),
                 .key = QKeySequence("Shift+F5"),
                 .places = {in_menu(Menu::run)},
-                .act = [b] { b->refresh(); },
+                .act = [b] { b->run_without_files(); },
                 .enabled_when = b->with_document()});
   commands.add({.id = "run.finish",
                 .text = Workbench::tr("Keep result"),
                 .places = {in_menu(Menu::run), in_tool_bar("run_bar")},
                 .act = [b] { b->runner().finish(); },
-                .enabled_when = b->with_run(),
-                .icon = icon(QStyle::SP_MediaSkipForward)});
+                .enabled_when = b->with_run()});
   commands.add({.id = "run.cancel",
                 .text = Workbench::tr("Cancel"),
                 .places = {in_menu(Menu::run), in_tool_bar("run_bar")},
                 .act = [b] { b->runner().cancel(); },
-                .enabled_when = b->with_run(),
-                .icon = icon(QStyle::SP_MediaStop)});
+                .enabled_when = b->with_run()});
 }
 
 // The dock comes up with the first curve of a document.

@@ -1,6 +1,10 @@
 // What a person changes in stems: diameter, height, state and notes of the selected one, circles moved in the slice,
 // stems added and deleted. All of it becomes edits of the document.
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QInputDialog>
+#include <QMenu>
+#include <algorithm>
 
 #include "document/edit_list.h"
 #include "panels/table_panel.h"
@@ -15,10 +19,9 @@ using Action = stems::StemEdit::Action;
 constexpr double min_dbh_cm = 0.1, max_dbh_cm = 2000, min_height_m = 0.1, max_height_m = 200, usual_height_m = 20;
 constexpr int own_section = 1;  // of the menu Stem
 
-// An edit of the selected stem, with its place and diameter as they are.
-std::optional<stems::StemEdit> edit_of_selection(Workbench& bench, Action action) {
-  const auto& survey = bench.runner().survey();
-  const auto row = bench.selection().tree() ? survey.row_of(*bench.selection().tree()) : std::nullopt;
+// An edit of a stem, with its place and diameter as they are.
+std::optional<stems::StemEdit> edit_of(const Survey& survey, std::int64_t tree, Action action) {
+  const auto row = survey.row_of(tree);
   const auto* stems = survey.stems.get();
   if (!row || !stems->has("x_m") || !stems->has("y_m") || !stems->has("dbh_cm")) return {};
   stems::StemEdit edit;
@@ -26,6 +29,16 @@ std::optional<stems::StemEdit> edit_of_selection(Workbench& bench, Action action
   edit.at = {stems->numbers("x_m")[*row], stems->numbers("y_m")[*row]};
   edit.was_dbh_cm = stems->numbers("dbh_cm")[*row];
   return edit;
+}
+
+// All rows that are chosen in the table, when the selected stem is one of them. A measured value belongs to one tree.
+std::vector<std::int64_t> trees_for(Workbench& bench, Action action) {
+  const auto tree = bench.selection().tree();
+  if (!tree) return {};
+  const auto chosen = bench.stems().selected_trees();
+  const bool of_one = action == Action::resize || action == Action::set_height;
+  if (of_one || std::ranges::find(chosen, *tree) == chosen.end()) return {*tree};
+  return chosen;
 }
 
 // Asks for the value that the edit needs; false when the person thinks better of it.
@@ -50,8 +63,15 @@ bool ask_for_value(Workbench& bench, stems::StemEdit& edit) {
 }
 
 void edit_selection(Workbench& bench, Action action) {
-  auto edit = edit_of_selection(bench, action);
-  if (edit && ask_for_value(bench, *edit)) add_edits(bench.session(), {*edit});
+  std::vector<stems::StemEdit> edits;
+  for (const auto tree : trees_for(bench, action))
+    if (auto edit = edit_of(bench.runner().survey(), tree, action)) edits.push_back(std::move(*edit));
+  if (edits.empty() || !ask_for_value(bench, edits.front())) return;
+  for (auto& edit : edits) {  // the same words for all
+    edit.species = edits.front().species;
+    edit.text = edits.front().text;
+  }
+  add_edits(bench.session(), edits);  // one step of undo
 }
 
 }  // namespace
@@ -59,10 +79,12 @@ void edit_selection(Workbench& bench, Action action) {
 void install_stem_edit(Workbench& bench) {
   auto* b = &bench;
   const auto add = [&](const char* id, const QString& text, const QKeySequence& key, Action action) {
+    std::vector<Place> places{in_menu(Menu::stem, own_section), in_context("stem"), in_context("scene", 1)};
+    if (action == Action::accept || action == Action::reject) places.push_back(in_tool_bar("stem_bar", 1));
     bench.commands().add({.id = id,
                           .text = text,
                           .key = key,
-                          .places = {in_menu(Menu::stem, own_section), in_context("stem")},
+                          .places = places,
                           .act = [b, action] { edit_selection(*b, action); },
                           .enabled_when = bench.with_tree()});
   };
@@ -79,6 +101,22 @@ void install_stem_edit(Workbench& bench) {
                         .places = {in_menu(Menu::stem, own_section)},
                         .turn = [b](bool on) { b->slice().set_adding(on); },
                         .checked_when = [b] { return b->slice().adding(); }});
+  bench.commands().add({.id = "stem.copy",
+                        .text = Workbench::tr("Copy rows for a spreadsheet"),
+                        .key = QKeySequence::Copy,
+                        .places = {in_context("stem", 2)},
+                        .act = [b] { QGuiApplication::clipboard()->setText(b->stems().selected_text()); },
+                        .enabled_when = bench.with_tree(),
+                        .owner = &bench.stems()});
+  bench.commands().add({.id = "stem.worst_first",
+                        .text = Workbench::tr("Worst first"),
+                        .places = {in_menu(Menu::stem, own_section), in_context("stem", 2)},
+                        .act = [b] { b->stems().sort_worst_first(); },
+                        .tip = Workbench::tr("Sorts the table by how little the diameters can be trusted")});
+  bench.commands().add_submenu({.id = "stem.columns",
+                                .title = Workbench::tr("Columns"),
+                                .place = in_context("stem", 2),
+                                .fill = [b](QMenu& menu) { b->stems().fill_column_menu(menu); }});
   bench.commands().give_context_menu(bench.stems(), "stem");
   QObject::connect(&bench.slice(), &SliceView::edits_requested, b, [b](const std::vector<stems::StemEdit>& edits) {
     b->guarded([&] { add_edits(b->session(), edits); });

@@ -16,7 +16,7 @@ StemReview::StemReview(Workbench& bench) : QObject(&bench), bench_(bench) {
 
 void StemReview::make_commands() {
   auto& commands = bench_.commands();
-  const std::vector<Place> menu{in_menu(Menu::stem)};
+  const std::vector<Place> menu{in_menu(Menu::stem), in_tool_bar("stem_bar")};
   commands.add({.id = "stem.next",
                 .text = tr("Next doubtful stem"),
                 .key = QKeySequence("Ctrl+Right"),
@@ -32,7 +32,7 @@ void StemReview::make_commands() {
   commands.add({.id = "stem.zoom",
                 .text = tr("Zoom to the selected stem"),
                 .key = Qt::Key_Z,
-                .places = menu,
+                .places = {in_menu(Menu::stem), in_tool_bar("stem_bar"), in_context("scene", 1)},
                 .act = [this] { bench_.scene().zoom_to_tree(*bench_.selection().tree()); },
                 .enabled_when = bench_.with_tree()});
 }
@@ -55,7 +55,9 @@ void StemReview::step(int direction) {
   const auto n = static_cast<std::ptrdiff_t>(order_.size());
   if (n == 0) return;
   const auto tree = bench_.selection().tree();
-  const auto here = tree ? std::ranges::find(order_, *tree) : order_.end();
+  // Forward from where the review stands. From a tree that was selected otherwise it begins with the worst one.
+  const bool on_the_way = tree && (direction < 0 || tree == last_);
+  const auto here = on_the_way ? std::ranges::find(order_, *tree) : order_.end();
   auto at = here != order_.end() ? here - order_.begin() : direction > 0 ? -1 : n;
   for (std::ptrdiff_t k = 0; k < n; ++k) {
     at = (at + direction + n) % n;
@@ -66,6 +68,7 @@ void StemReview::step(int direction) {
 }
 
 void StemReview::show(std::int64_t tree) {
+  last_ = tree;
   bench_.selection().select(tree);
   bench_.scene().zoom_to_tree(tree);
   bench_.hint(tr("%n stem(s) to look at", nullptr, static_cast<int>(open_stems())));

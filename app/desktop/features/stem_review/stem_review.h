@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "document/survey.h"
@@ -31,6 +32,7 @@ class StemReview : public QObject {
   Workbench& bench_;
   std::vector<std::int64_t> order_;  // all trees, worst first
   std::vector<bool> decided_;
+  std::optional<std::int64_t> last_;  // that the review showed
 };
 
 }  // namespace bole::desktop

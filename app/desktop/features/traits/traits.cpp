@@ -2,6 +2,8 @@
 
 #include <QHeaderView>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTabWidget>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -66,7 +68,13 @@ void Traits::make_dock() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(table, 1);
     for (auto* widget : below) layout->addWidget(widget);
-    tabs_->addTab(both, title);
+    auto* scroll = new QScrollArea(tabs_);  // the form is high: a laptop shows a part of it
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(both);
+    scroll->setMinimumWidth(both->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+    tabs_->addTab(scroll, title);
   };
   how_ = new QLabel(tabs_);
   how_->setObjectName("trait_notes");

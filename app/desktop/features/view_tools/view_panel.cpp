@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "features/view_tools/range_slider.h"
+#include "render/draw/color_maps.h"
 #include "views/scene_view.h"
 
 namespace bole::desktop {
@@ -97,6 +98,19 @@ void ViewPanel::make_color_rows(QFormLayout* form) {
   connect(color_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { scene_.color_by(color_->currentData().toString().toStdString()); });
   form->addRow(tr("Colour"), color_);
+  map_ = new QComboBox;
+  map_->setObjectName("view_map");
+  map_->setToolTip(tr("The colours of numbers; the legend shows them"));
+  map_->addItem(tr("Usual"), QString());
+  const QString titles[] = {tr("Green to yellow (viridis)"), tr("Blue to yellow (cividis)"), tr("Rainbow (turbo)"),
+                            tr("Grey"), tr("Blue to red (diverging)")};
+  const auto names = render::color_map_names();
+  for (std::size_t k = 0; k < names.size(); ++k)
+    map_->addItem(titles[k], QString::fromUtf8(names[k].data(), static_cast<int>(names[k].size())));
+  map_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  connect(map_, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { change([this](auto& s) { s.color_map = map_->currentData().toString().toStdString(); }); });
+  form->addRow(tr("Colour map"), map_);
   range_lo_ = number("view_range_lo", tr("Takes the first colour of the map"), 0.5, 2, {});
   range_hi_ = number("view_range_hi", tr("Takes the last colour of the map"), 0.5, 2, {});
   auto* automatic = button("view_range_auto", tr("Auto"), tr("The range of the middle 96 % of the values"));
@@ -150,14 +164,15 @@ void ViewPanel::make_clip_rows(QFormLayout* form) {
 }
 
 void ViewPanel::make_switches(QFormLayout* form) {
-  bool ViewSettings::*const members[] = {&ViewSettings::eye_dome, &ViewSettings::grid, &ViewSettings::legend,
-                                         &ViewSettings::scale_bar, &ViewSettings::north};
+  bool ViewSettings::*const members[] = {&ViewSettings::eye_dome,  &ViewSettings::grid,  &ViewSettings::legend,
+                                         &ViewSettings::scale_bar, &ViewSettings::north, &ViewSettings::trees};
   switches_ = {
       check("view_eye_dome", tr("Eye-dome shading"), tr("Darkens hollows when the view rests: shapes stand out")),
       check("view_grid", tr("Grid"), tr("A grid in metres at the foot of the cloud")),
       check("view_legend", tr("Legend"), tr("What the colours mean")),
       check("view_scale", tr("Scale bar"), tr("In metres; holds everywhere in parallel projection")),
-      check("view_north_arrow", tr("North arrow"), tr("Where the axes of the plot are known"))};
+      check("view_north_arrow", tr("North arrow"), tr("Where the axes of the plot are known")),
+      check("view_trees", tr("Tree numbers"), tr("With symbols for the quality of the diameter and what was decided"))};
   for (std::size_t k = 0; k < switches_.size(); ++k) {
     connect(switches_[k], &QCheckBox::toggled, this,
             [this, member = members[k]](bool on) { change([=](auto& s) { s.*member = on; }); });
@@ -185,7 +200,7 @@ void ViewPanel::set_clip(bool on) {
 }
 
 void ViewPanel::reset_clip() {
-  change([&](auto& s) { s.clip = scene_.whole(); });
+  change([&](auto& s) { s.clip = scene_.everything(); });
   scene_.show_clip_handles(true);
   show_state();
 }
@@ -211,6 +226,8 @@ void ViewPanel::show_state() {
   color_->setCurrentIndex(color_->findData(QString::fromStdString(scene_.paint().array)));
   const bool numbers = scene_.paint().kind == render::PointPaint::Kind::map;
   for (auto* box : {range_lo_, range_hi_}) box->setEnabled(numbers);
+  map_->setEnabled(numbers);
+  map_->setCurrentIndex(map_->findData(QString::fromStdString(s.color_map)));
   range_lo_->setValue(scene_.paint().range.lo);
   range_hi_->setValue(scene_.paint().range.hi);
   point_size_->setValue(s.point_size_px);
@@ -230,7 +247,7 @@ void ViewPanel::show_state() {
     box_[k]->setEnabled(s.clip.has_value());
     box_[k + 1]->setEnabled(s.clip.has_value());
   }
-  const bool on[] = {s.eye_dome, s.grid, s.legend, s.scale_bar, s.north};
+  const bool on[] = {s.eye_dome, s.grid, s.legend, s.scale_bar, s.north, s.trees};
   for (std::size_t k = 0; k < switches_.size(); ++k) switches_[k]->setChecked(on[k]);
   following_ = false;
 }

@@ -43,7 +43,8 @@ class ViewPanel : public QWidget {
   RangeSlider* heights_;
   QCheckBox *clip_, *handles_;
   std::array<QDoubleSpinBox*, 6> box_{};  // west, east, south, north, foot, top
-  std::array<QCheckBox*, 5> switches_{};  // as in the settings
+  QComboBox* map_ = nullptr;
+  std::array<QCheckBox*, 6> switches_{};  // as in the settings
   bool following_ = false;                // shows a state, makes none
 };
 

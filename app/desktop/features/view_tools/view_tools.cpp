@@ -2,6 +2,10 @@
 #include <QMenu>
 #include <algorithm>
 
+#include "features/view_tools/bookmarks.h"
+#include "features/view_tools/export_image.h"
+#include "features/view_tools/plan_map.h"
+#include "features/view_tools/plot_boundary.h"
 #include "features/view_tools/view_panel.h"
 #include "views/scene_view.h"
 #include "workbench/workbench.h"
@@ -43,19 +47,20 @@ void add_camera_commands(Workbench& bench) {
     commands.add({.id = id,
                   .text = text,
                   .key = QKeySequence(key),
-                  .places = {in_menu(Menu::view, camera_section)},
+                  .places = {in_menu(Menu::view, camera_section), in_tool_bar("view_bar"), in_context("scene")},
                   .act = act});
   };
   const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY(), z = Eigen::Vector3d::UnitZ();
   add("view.all", Workbench::tr("Whole survey"), Qt::Key_0, [&scene] { scene.reset_camera(); });
   add("view.above", Workbench::tr("From above"), Qt::Key_8, [&scene, y, z] { scene.look_along(-z, y); });
+  add("view.north", Workbench::tr("From the north"), Qt::Key_9, [&scene, y, z] { scene.look_along(-y, z); });
   add("view.south", Workbench::tr("From the south"), Qt::Key_2, [&scene, y, z] { scene.look_along(y, z); });
   add("view.west", Workbench::tr("From the west"), Qt::Key_4, [&scene, x, z] { scene.look_along(x, z); });
   add("view.east", Workbench::tr("From the east"), Qt::Key_6, [&scene, x, z] { scene.look_along(-x, z); });
   commands.add({.id = "view.parallel",
                 .text = Workbench::tr("Parallel projection"),
                 .key = Qt::Key_5,
-                .places = {in_menu(Menu::view, camera_section)},
+                .places = {in_menu(Menu::view, camera_section), in_tool_bar("view_bar", 1), in_context("scene")},
                 .turn = [&scene](bool on) { scene.set_parallel(on); },
                 .checked_when = [&scene] { return scene.parallel(); }});
 }
@@ -67,7 +72,7 @@ void add_switch(Workbench& bench, const char* id, const QString& text, const QKe
       {.id = id,
        .text = text,
        .key = key,
-       .places = {in_menu(Menu::view, look_section)},
+       .places = {in_menu(Menu::view, look_section), in_tool_bar("view_bar", 1)},
        .turn = [&scene,
                 member](bool on) { change_settings(scene, [=](ViewSettings& settings) { settings.*member = on; }); },
        .checked_when = [&scene, member] { return scene.settings().*member; }});
@@ -77,10 +82,11 @@ void add_look_commands(Workbench& bench, ViewPanel* panel) {
   auto& scene = bench.scene();
   add_switch(bench, "view.eye_dome", Workbench::tr("Eye-dome shading"), Qt::Key_E, &ViewSettings::eye_dome);
   add_switch(bench, "view.grid", Workbench::tr("Grid in metres"), Qt::Key_G, &ViewSettings::grid);
+  add_switch(bench, "view.trees", Workbench::tr("Tree numbers"), Qt::Key_T, &ViewSettings::trees);
   bench.commands().add({.id = "view.clip_box",
                         .text = Workbench::tr("Clip box"),
                         .key = Qt::Key_B,
-                        .places = {in_menu(Menu::view, look_section)},
+                        .places = {in_menu(Menu::view, look_section), in_tool_bar("view_bar", 1)},
                         .turn = [panel](bool on) { panel->set_clip(on); },
                         .checked_when = [&scene] { return scene.settings().clip.has_value(); }});
   const auto add = [&](const char* id, const QString& text, const QKeySequence& key, const std::function<void()>& act) {
@@ -102,7 +108,14 @@ void install_view_tools(Workbench& bench) {
   auto* panel = new ViewPanel(bench.scene(), &bench);
   bench.docks().add("view", Workbench::tr("View"), panel, Qt::LeftDockWidgetArea, "options");
   add_camera_commands(bench);
+  auto* b = &bench;
+  QObject::connect(&bench.scene(), &SceneView::menu_asked, b,
+                   [b](const QPoint& global) { b->commands().show_menu("scene", global); });
   add_look_commands(bench, panel);
+  new PlanMap(bench);
+  new PlotBoundary(bench);
+  new Bookmarks(bench);
+  add_image_export(bench);
 }
 
 }  // namespace bole::desktop

@@ -1,7 +1,6 @@
 #include "features/walk/frame_bar.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QStyle>
@@ -9,12 +8,14 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "look/elided_label.h"
+
 namespace bole::desktop {
 
 FrameBar::FrameBar(QWidget* parent)
     : QWidget(parent),
       slider_(new QSlider(Qt::Horizontal, this)),
-      label_(new QLabel(this)),
+      label_(new ElidedLabel(this)),
       play_(new QToolButton(this)),
       clock_(new QTimer(this)) {
   auto* layout = new QHBoxLayout(this);
@@ -37,8 +38,7 @@ FrameBar::FrameBar(QWidget* parent)
   button(QStyle::SP_MediaSeekForward, tr("One frame on (.)"), 1);
   slider_->setObjectName("frame_slider");
   layout->addWidget(slider_, 1);
-  label_->setMinimumWidth(fontMetrics().horizontalAdvance(QString(52, 'n')));
-  layout->addWidget(label_);
+  layout->addWidget(label_, 1);
   clock_->setInterval(100);  // about the pace of a spinning sensor
   connect(clock_, &QTimer::timeout, this, [this] {
     if (frame() + 1 >= frames()) return play(false);
@@ -57,7 +57,7 @@ void FrameBar::set_frames(std::vector<double> times_s) {
   slider_->setValue(0);
   setEnabled(frames() > 0);
   play(false);
-  label_->clear();
+  label_->set_line({});
 }
 
 void FrameBar::set_keyframes(const std::vector<double>& times_s) {
@@ -68,7 +68,7 @@ void FrameBar::set_keyframes(const std::vector<double>& times_s) {
   }
 }
 
-void FrameBar::set_text(const QString& text) { label_->setText(text); }
+void FrameBar::set_text(const QString& text) { label_->set_line(text); }
 
 int FrameBar::frame() const { return slider_->value(); }
 

@@ -4,12 +4,13 @@
 #include <QWidget>
 #include <vector>
 
-class QLabel;
 class QSlider;
 class QTimer;
 class QToolButton;
 
 namespace bole::desktop {
+
+class ElidedLabel;
 
 class FrameBar : public QWidget {
   Q_OBJECT
@@ -36,7 +37,7 @@ class FrameBar : public QWidget {
   std::vector<double> times_s_;
   std::vector<int> keyframes_;  // frames
   QSlider* slider_;
-  QLabel* label_;
+  ElidedLabel* label_;
   QToolButton* play_;
   QTimer* clock_;
 };

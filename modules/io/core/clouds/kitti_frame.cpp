@@ -27,8 +27,8 @@ bool looks_like_kitti_frame(Bytes file) {
     const double intensity = value(3);
     // Numbers that are not, or far beyond what a sensor sees. Text and compressed data give almost only such.
     if (!(reach <= far_m && intensity >= -1 && intensity <= brightest)) ++odd;
-    constexpr double near_m = 1e-6;
-    if (reach > near_m) ++placed;
+    constexpr double origin_m = 1e-6;
+    if (reach > origin_m) ++placed;
   }
   return static_cast<double>(odd) <= allowed_share * static_cast<double>(looked_at) && placed > 0;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "cloud/core/whole/whole_cloud.h"
 #include "io/core/clouds/sensor_arrays.h"
 
 namespace bole::io {
@@ -38,6 +39,7 @@ void scale_ranges(PointCloud& cloud, double factor) {
 
 void turn_cloud(PointCloud& cloud, const Eigen::Matrix3d& matrix) {
   if (matrix.isIdentity(0)) return;
+  forget_whole(cloud.facts);
   scale_ranges(cloud, std::cbrt(std::abs(matrix.determinant())));
   turn_offsets(cloud, [&](Eigen::Vector3f& p) { p = (matrix * p.cast<double>()).cast<float>(); });
   cloud.origin = matrix * cloud.origin;
@@ -46,6 +48,7 @@ void turn_cloud(PointCloud& cloud, const Eigen::Matrix3d& matrix) {
 
 void turn_cloud_about(PointCloud& cloud, const Eigen::Matrix3d& matrix, const Eigen::Vector3d& place) {
   turn_offsets(cloud, [&](Eigen::Vector3f& p) { p = (place + matrix * (p.cast<double>() - place)).cast<float>(); });
+  forget_whole(cloud.facts);
   cloud.scale.setZero();  // the points have left the grid of the file
 }
 

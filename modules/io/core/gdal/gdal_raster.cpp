@@ -42,6 +42,24 @@ void fill(GDALDataset& set, const Raster& raster, const gdal::Errors& errors, co
   }
 }
 
+// Of the file: rows run south.
+struct CellWindow {
+  int column = 0, row = 0, nx = 0, ny = 0;
+};
+
+CellWindow window_of(GDALDataset& set, const double (&t)[6], const std::optional<Eigen::AlignedBox2d>& window) {
+  const int nx = set.GetRasterXSize(), ny = set.GetRasterYSize();
+  if (!window) return {0, 0, nx, ny};
+  const auto cell = [](double at, double begin, double step, int n) {
+    return static_cast<int>(std::clamp(std::floor((at - begin) / step), -1.0, static_cast<double>(n)));
+  };
+  const int first_column = std::max(0, cell(window->min().x(), t[0], t[1], nx)),
+            last_column = std::min(nx - 1, cell(window->max().x(), t[0], t[1], nx)),
+            first_row = std::max(0, cell(window->max().y(), t[3], t[5], ny)),
+            last_row = std::min(ny - 1, cell(window->min().y(), t[3], t[5], ny));
+  return {first_column, first_row, last_column - first_column + 1, last_row - first_row + 1};
+}
+
 }  // namespace
 
 void write_geotiff(const std::filesystem::path& path, const Raster& raster) {
@@ -64,10 +82,11 @@ void write_geotiff(const std::filesystem::path& path, const Raster& raster) {
   });
 }
 
-Raster read_geotiff(const std::filesystem::path& path) {
+Raster read_geotiff(const std::filesystem::path& path, const std::optional<Eigen::AlignedBox2d>& window) {
   gdal::driver("GTiff");
   const gdal::Errors errors;
-  const char* const drivers[] = {"GTiff", nullptr};
+  // Only what calls itself so may name other files.
+  const char* const drivers[] = {path.extension() == ".vrt" ? "VRT" : "GTiff", nullptr};
   const gdal::Dataset set(static_cast<GDALDataset*>(
       GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers, nullptr, nullptr)));
   if (set == nullptr || set->GetRasterCount() < 1)
@@ -78,16 +97,19 @@ Raster read_geotiff(const std::filesystem::path& path) {
   if (t[2] != 0 || t[4] != 0 || !(t[1] > 0) || t[5] >= 0 || std::abs(t[1] + t[5]) > 1e-6 * t[1])
     throw bad_input(fmt::format("'{}' has cells of {} x {} m or is rotated", path.string(), t[1], -t[5]),
                     "square cells, north up");
+  const CellWindow cells_read = window_of(*set, t, window);
+  if (cells_read.nx <= 0 || cells_read.ny <= 0)
+    throw bad_input(fmt::format("no cell of '{}' lies within the bounds", path.string()), "bounds that meet it");
   // A sparse file of a few bytes can declare any number of cells.
   constexpr std::int64_t max_cells = 400'000'000;
-  if (const std::int64_t cells = std::int64_t{set->GetRasterXSize()} * set->GetRasterYSize(); cells > max_cells)
-    throw bad_input(fmt::format("'{}' has {} x {} cells", path.string(), set->GetRasterXSize(), set->GetRasterYSize()),
+  if (const std::int64_t cells = std::int64_t{cells_read.nx} * cells_read.ny; cells > max_cells)
+    throw bad_input(fmt::format("'{}' has {} x {} cells", path.string(), cells_read.nx, cells_read.ny),
                     fmt::format("at most {} million cells", max_cells / 1'000'000), "Cut it to the plot, or thin it");
   Raster raster;
-  raster.nx = set->GetRasterXSize();
-  raster.ny = set->GetRasterYSize();
+  raster.nx = cells_read.nx;
+  raster.ny = cells_read.ny;
   raster.cell_m = t[1];
-  raster.origin = {t[0], t[3] + raster.ny * t[5]};
+  raster.origin = {t[0] + cells_read.column * t[1], t[3] + (cells_read.row + raster.ny) * t[5]};
   if (const auto* crs = set->GetSpatialRef(); crs != nullptr) {
     char* wkt = nullptr;
     const char* const options[] = {"FORMAT=WKT2_2018", nullptr};
@@ -102,7 +124,8 @@ Raster read_geotiff(const std::filesystem::path& path) {
   int has_no_data = FALSE;
   const auto no_data = static_cast<float>(band.GetNoDataValue(&has_no_data));
   for (int iy = raster.ny - 1; iy >= 0; --iy) {
-    if (band.RasterIO(GF_Read, 0, iy, raster.nx, 1, row.data(), raster.nx, 1, GDT_Float32, 0, 0) != CE_None)
+    if (band.RasterIO(GF_Read, cells_read.column, cells_read.row + iy, raster.nx, 1, row.data(), raster.nx, 1,
+                      GDT_Float32, 0, 0) != CE_None)
       throw bad_input(fmt::format("'{}': row {} cannot be read: {}", path.string(), iy, errors.last()), "a whole file");
     if (has_no_data != FALSE) std::ranges::replace(row, no_data, std::numeric_limits<float>::quiet_NaN());
     raster.values.insert(raster.values.end(), row.begin(), row.end());

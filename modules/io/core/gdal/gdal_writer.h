@@ -1,8 +1,9 @@
 // Rasters and vector layers for geographic information systems, through GDAL.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,11 @@ namespace bole::io {
 // raster or a size that does not fit its values, Error{failed} when it cannot be written.
 void write_geotiff(const std::filesystem::path& path, const Raster& raster);
 
-// The first band of a GeoTIFF with square cells and without rotation; "no data" becomes NaN. Throws Error{bad_input}.
-Raster read_geotiff(const std::filesystem::path& path);
+// The first band of a GeoTIFF with square cells and without rotation, or of several joined by a GDAL VRT; "no data"
+// becomes NaN. `window`: only the cells that meet it, in the coordinates of the file; nothing: all. Throws
+// Error{bad_input}, also where no cell meets the window.
+Raster read_geotiff(const std::filesystem::path& path,
+                    const std::optional<Eigen::AlignedBox2d>& window = std::nullopt);
 
 enum class GeometryKind {
   none,    // a table

@@ -20,8 +20,18 @@ int sensor_axis(const ExtraDimension& dimension) {
   return -1;
 }
 
-// A point near the middle of the box that lies on the grid: a whole number of metres where the grid has one, so that
-// coordinates print as they should.
+template <class T>
+bool any_set(const std::vector<T>& values) {
+  return std::ranges::any_of(values, [](T v) { return v != T{}; });
+}
+
+template <class T>
+void leave(const std::vector<T>& values, std::size_t first, std::size_t count) {
+  if (first < values.size()) leave_memory(&values[first], std::min(count, values.size() - first) * sizeof(T));
+}
+
+}  // namespace
+
 std::int32_t grid_middle(std::int32_t low, std::int32_t high, double scale, double offset) {
   const std::int64_t middle = (std::int64_t{low} + high) / 2;
   const double whole = std::round(static_cast<double>(middle) * scale + offset);
@@ -31,14 +41,17 @@ std::int32_t grid_middle(std::int32_t low, std::int32_t high, double scale, doub
   return static_cast<std::int32_t>(middle);
 }
 
-template <class T>
-bool any_set(const std::vector<T>& values) {
-  return std::ranges::any_of(values, [](T v) { return v != T{}; });
-}
+namespace {
 
-template <class T>
-void leave(const std::vector<T>& values, std::size_t first, std::size_t count) {
-  if (first < values.size()) leave_memory(&values[first], std::min(count, values.size() - first) * sizeof(T));
+// `origin` in steps of the grid; nothing where it is off the grid or too far away.
+std::optional<std::int32_t> steps_of_origin(double origin, std::int32_t low, std::int32_t high, double scale,
+                                            double offset) {
+  const double steps = (origin - offset) / scale, nearest = std::round(steps);
+  if (!(std::abs(steps - nearest) < 1e-3) || nearest - low > max_exact_steps || high - nearest > max_exact_steps)
+    return std::nullopt;
+  constexpr double most = std::numeric_limits<std::int32_t>::max();
+  if (!(std::abs(nearest) < most)) return std::nullopt;
+  return static_cast<std::int32_t>(nearest);
 }
 
 }  // namespace
@@ -161,7 +174,7 @@ IntegerBox ColumnBuilder::decode(const std::uint8_t* records, std::size_t count,
 }
 
 PointCloud ColumnBuilder::finish(const IntegerBox& box, const Eigen::Vector3d& scale, const Eigen::Vector3d& offset,
-                                 bool* exact, const Run& run) {
+                                 bool* exact, const Run& run, const std::optional<Eigen::Vector3d>& origin) {
   PointCloud cloud;
   cloud.scale = scale.cwiseAbs();
   cloud.origin = offset;
@@ -171,10 +184,12 @@ PointCloud ColumnBuilder::finish(const IntegerBox& box, const Eigen::Vector3d& s
     for (std::size_t k = 0; k < 3; ++k) {
       const auto axis = static_cast<Eigen::Index>(k);
       middle[k] = grid_middle(box.min[k], box.max[k], scale[axis], offset[axis]);
+      if (origin)
+        middle[k] =
+            steps_of_origin((*origin)[axis], box.min[k], box.max[k], scale[axis], offset[axis]).value_or(middle[k]);
       cloud.origin[axis] = offset[axis] + middle[k] * scale[axis];
-      // A float32 has 24 bits: up to 2^23 steps from the origin the nearest step is the right one.
-      constexpr std::int64_t max_steps = std::int64_t{1} << 23;
-      if (std::int64_t{box.max[k]} - middle[k] > max_steps || std::int64_t{middle[k]} - box.min[k] > max_steps)
+      if (std::int64_t{box.max[k]} - middle[k] > max_exact_steps ||
+          std::int64_t{middle[k]} - box.min[k] > max_exact_steps)
         *exact = false;
     }
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions_.size(), 1 << 16),

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "base/file_pages.h"
@@ -23,6 +24,13 @@ struct IntegerBox {
   bool empty() const { return min[0] > max[0]; }
   void add(const IntegerBox& other);
 };
+
+// The origin of a cloud with these coordinates along an axis, in steps of its grid: a whole number of metres near the
+// middle where the grid has one, so that coordinates print as they should.
+std::int32_t grid_middle(std::int32_t low, std::int32_t high, double scale, double offset);
+
+// A float32 has 24 bits: up to so many steps from the origin the nearest step is the right one.
+inline constexpr std::int64_t max_exact_steps = std::int64_t{1} << 23;
 
 class ColumnBuilder {
  public:
@@ -44,10 +52,10 @@ class ColumnBuilder {
   // points at the same time.
   IntegerBox decode(const std::uint8_t* records, std::size_t count, std::size_t first);
 
-  // The cloud. Its origin is near the middle of `box`, on the grid of the coordinates. Columns of zeros are left out.
-  // `*exact`: float32 offsets give every coordinate back.
+  // The cloud. Its origin is near the middle of `box`, on the grid of the coordinates, or `origin` where that is on the
+  // grid and near enough. Columns of zeros are left out. `*exact`: float32 offsets give every coordinate back.
   PointCloud finish(const IntegerBox& box, const Eigen::Vector3d& scale, const Eigen::Vector3d& offset, bool* exact,
-                    const Run& run = {});
+                    const Run& run = {}, const std::optional<Eigen::Vector3d>& origin = std::nullopt);
 
  private:
   template <class F>

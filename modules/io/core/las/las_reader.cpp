@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "base/verdict.h"
+#include "cloud/core/whole/whole_cloud.h"
 #include "io/core/bytes/mapped_file.h"
 #include "io/core/clouds/cloud_builder.h"
 #include "io/core/copc/copc_nodes.h"
@@ -203,13 +204,16 @@ PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, b
     findings.counts["points_outside_bounds"] = static_cast<std::int64_t>(read.points - builder.size());
   note_points_behind(info, findings);
   bool exact = true;
-  PointCloud cloud = builder.finish(read.box, info.scale, info.offset, &exact, run);
+  Facts facts = las::read_facts(file, info, warnings);
+  const auto whole = whole_of(facts);
+  PointCloud cloud = builder.finish(read.box, info.scale, info.offset, &exact, run,
+                                    whole ? std::optional(whole->origin) : std::nullopt);
   if (!exact)
     warnings.push_back(fmt::format(
         "the cloud reaches further than 2^23 steps of {} m from its middle: coordinates are rounded to float32 there",
         info.scale.minCoeff()));
   cloud.crs_wkt = info.crs_wkt;
-  cloud.facts = las::read_facts(file, info, warnings);
+  cloud.facts = std::move(facts);
   take_time_kind(info, cloud);
   cloud.axes = info.crs_wkt.empty() ? Axes::unknown : Axes::global;
   if (cloud.has("withheld")) {

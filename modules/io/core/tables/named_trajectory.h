@@ -1,4 +1,4 @@
-// Trajectories of other programs: text with a line that names its columns (GeoSLAM, HDMapping, NavVis, CSV), and SBET.
+// Trajectories of other programs: text with a line that names its columns (GeoSLAM, HDMapping, NavVis, CSV).
 #pragma once
 
 #include <string>
@@ -19,10 +19,6 @@ bool looks_like_named_trajectory(Bytes file);
 // Lines that repeat the time of the line above are left out (fact `repeated_times`). Throws Error{bad_input} that names
 // the line where numbers are missing or time goes back.
 Trajectory read_named_trajectory(Bytes file, const std::string& name);
-
-// Records of 17 doubles: time, latitude, longitude (rad), height, ... Whether the first and last records can be such.
-bool looks_like_sbet(Bytes file);
-Trajectory read_sbet(Bytes file, const std::string& name);
 
 // The fact `crs` of a trajectory whose positions are longitude, latitude (degrees) and height above the ellipsoid.
 inline constexpr const char* geographic_crs = "EPSG:4979";

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <numeric>
 
 #include "base/statistics.h"
 #include "plant/core/leaves/leaf_traits.h"
-#include "plant/core/traits/picture_tone.h"
+#include "plant/core/traits/picture_light.h"
 #include "plant/core/traits/plant_size.h"
 #include "plant/core/traits/stem_fit.h"
 #include "plant/core/traits/trait_facts.h"
@@ -155,54 +153,18 @@ class Measurement {
                        run_.part(begin, end));
   }
 
-  // A dozen views tell whether the pictures hold sRGB codes or light. Where their steps do not, the edges of the stem
-  // itself do; where those do not either, the usual curve is taken and the doubt widens the interval.
   bool choose_light(StripSearch search, const std::vector<std::uint32_t>& which) {
     if (options_.light != PictureLight::automatic) return options_.light == PictureLight::srgb;
     std::vector<std::uint32_t> few;
-    for (std::size_t k = 0; k < std::min<std::size_t>(12, which.size()); ++k)
-      few.push_back(which[k * which.size() / std::min<std::size_t>(12, which.size())]);
-    ToneVotes votes;
-    View view;
-    for (const auto i : few) {
-      run_.check_cancel();
-      try {
-        in_.views->read(i, view, {true, false, false});
-      } catch (const Error&) {
-        continue;  // listed with the contours
-      }
-      votes.add(tone_votes(view.color));
-    }
-    report_.counts["tone_edges"] = static_cast<std::int64_t>(votes.edges);
-    int tone = tone_of(votes);
-    report_.counts["tone_for_srgb"] = static_cast<std::int64_t>(votes.for_light);
-    report_.counts["tone_for_linear"] = static_cast<std::int64_t>(votes.for_codes);
-    std::array<std::map<std::uint32_t, double>, 2> cost;
-    std::array<std::map<std::uint32_t, double>, 2> width;
-    for (const bool light : {false, true}) {
-      search.linear_light = light;
-      const auto found = find(search, few, 0.2, 0.25);
-      std::map<std::uint32_t, std::vector<double>> widths;
-      for (const auto& s : found.strips) widths[s.view].push_back((s.right - s.left).norm());
-      for (const auto& v : found.views)
-        if (v.state == "used") {
-          cost[light ? 1 : 0][v.view] = v.cost;
-          width[light ? 1 : 0][v.view] = median(widths[v.view]);
-        }
-    }
-    std::vector<double> ratios, shifts;
-    for (const auto& [v, c] : cost[1])
-      if (const auto it = cost[0].find(v); it != cost[0].end() && it->second > 0) {
-        ratios.push_back(c / it->second);
-        shifts.push_back(width[1][v] / width[0][v] - 1);
-      }
-    const double ratio = ratios.empty() ? 1 : median(ratios);
-    const double shift = shifts.empty() ? 0 : median(shifts);
-    const bool by_steps = tone != 0;
-    if (!by_steps) tone = ratio > 1.045 ? -1 : 1;
-    if (!by_steps && ratio > 0.9 && ratio < 1.12) tone_doubt_ = 0.5 * std::abs(shift);
-    report_.facts["picture_light"] = tone > 0 ? "srgb" : "linear";
-    return tone > 0;
+    const auto count = std::min<std::size_t>(12, which.size());  // enough to tell
+    for (std::size_t k = 0; k < count; ++k) few.push_back(which[k * which.size() / count]);
+    const auto strips = [&](bool linear_light) {
+      search.linear_light = linear_light;
+      return find(search, few, 0.2, 0.25);
+    };
+    const auto found = judge_picture_light(*in_.views, few, strips, report_, run_);
+    tone_doubt_ = found.doubt;
+    return found.srgb;
   }
 
   std::size_t used_views() const {

@@ -241,8 +241,11 @@ class Finder {
     r.message = fmt::format("{} rows in {} blocks: {} plants, {} missing, {} strays", set_.rows.size(),
                             set_.blocks.size(), planted, missing, set_.strays.size());
     if (set_.rows.empty())
-      r.warn(fmt::format("no row of {} or more plants among {} stems: lower min_plants or raise lateral_tolerance",
-                         o_.min_plants, set_.plants.size()));
+      r.warn(fmt::format(
+          "no row of {} or more plants among {} stems{}: lower min_plants or raise lateral_tolerance{}", o_.min_plants,
+          set_.plants.size(), o_.direction_deg ? fmt::format(" at {:.1f} deg from east", *o_.direction_deg) : "",
+          o_.direction_deg ? ", or leave direction open. It counts in the axes of the stems, after they were placed"
+                           : ""));
     if (uneven > 0)
       r.warn(fmt::format("{} rows are planted too unevenly to find missing plants: set plant_spacing if it is known",
                          uneven));

@@ -40,9 +40,9 @@ class BandedSystem {
   }
   Eigen::VectorXd& border_gradient() { return border_g_; }
 
-  // Empty where the system has no solution. `border`: the step of the unknowns of the border. `last`: how many of these
-  // get a variance, which is written there.
-  std::vector<Vector6d> solve(Eigen::VectorXd& border, Eigen::VectorXd* last = nullptr) const {
+  // Empty where the system has no solution. `border`: the step of the unknowns of the border. `last`: the covariance of
+  // the last of these, as many as it has rows.
+  std::vector<Vector6d> solve(Eigen::VectorXd& border, Eigen::MatrixXd* last = nullptr) const {
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(blocks_.size() * 36 + border_.size());
     const auto n = nodes();
@@ -65,10 +65,8 @@ class BandedSystem {
     const Eigen::VectorXd x = solver.solve(-g);
     if (!x.allFinite()) return {};
     border = x.tail(border_g_.size());
-    for (Eigen::Index k = 0; last && k < last->size(); ++k) {
-      const Eigen::Index at = g.size() - last->size() + k;
-      (*last)[k] = solver.solve(Eigen::VectorXd::Unit(g.size(), at))[at];
-    }
+    for (Eigen::Index k = 0; last && k < last->rows(); ++k)
+      last->col(k) = solver.solve(Eigen::VectorXd::Unit(g.size(), g.size() - last->rows() + k)).tail(last->rows());
     std::vector<Vector6d> steps(n);
     for (std::size_t i = 0; i < n; ++i) steps[i] = x.segment<6>(6 * static_cast<Eigen::Index>(i));
     return steps;

@@ -240,21 +240,26 @@ void InertialTerms::add(const Path& path, BandedSystem& system) {
   velocity_rms_ = velocities > 0 ? std::sqrt(velocity_rms_ / velocities) : 0;
 }
 
-void InertialTerms::move(const Eigen::VectorXd& step, const Eigen::VectorXd& variances) {
+void InertialTerms::move(const Eigen::VectorXd& step, const Eigen::MatrixXd& covariance) {
   for (std::size_t k = 0; k < knots_.size(); ++k) {
     knots_[k].gyroscope += step.segment<3>(static_cast<Eigen::Index>(6 * k));
     knots_[k].accelerometer += step.segment<3>(static_cast<Eigen::Index>(6 * k + 3));
   }
   gravity_ += step.segment<3>(static_cast<Eigen::Index>(6 * knots_.size()));
+  // All weights of the system are greater by 1 / trust, since its points count in full.
+  if (covariance.rows() >= 3) {
+    const Eigen::Vector3d down = gravity_.normalized();
+    const Eigen::Matrix3d C = covariance.topLeftCorner<3, 3>() / trust_;
+    level_sigma_rad_ = std::sqrt(std::max(0.0, C.trace() - down.dot(C * down)) / 2) / gravity_.norm();
+  }
   if (calibrated() == 0) return;
   const Eigen::Matrix<double, 7, 1> mount = step.tail<7>();
   T_sensor_imu_.linear() = T_sensor_imu_.linear() * so3_exp(mount.head<3>()).toRotationMatrix();
   T_sensor_imu_.translation() += mount.segment<3>(3);
   later_s_ += mount[6];
-  if (variances.size() != 7) return;
-  // All weights of the system are greater by 1 / trust, since its points count in full.
+  if (covariance.rows() != 10) return;
   const auto worst = [&](Eigen::Index first, Eigen::Index count) {
-    return std::sqrt(std::max(0.0, variances.segment(first, count).maxCoeff()) / trust_);
+    return std::sqrt(std::max(0.0, covariance.diagonal().segment(3 + first, count).maxCoeff()) / trust_);
   };
   sigmas_ = {worst(0, 3), worst(3, 3), worst(6, 1)};
 }

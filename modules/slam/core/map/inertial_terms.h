@@ -26,9 +26,11 @@ class InertialTerms {
   std::size_t unknowns() const { return 6 * knots_.size() + 3 + calibrated(); }
   // How many of the last unknowns are the mount.
   std::size_t calibrated() const { return unit_.mount_sigmas ? 7 : 0; }
+  // How many of the last unknowns have their covariance asked for: gravity, and the mount where it is estimated.
+  std::size_t judged() const { return 3 + calibrated(); }
   void add(const Path& path, BandedSystem& system);
-  // `variances`: of the mount, where it is estimated.
-  void move(const Eigen::VectorXd& step, const Eigen::VectorXd& variances);
+  // `covariance`: of the last judged() unknowns, or empty.
+  void move(const Eigen::VectorXd& step, const Eigen::MatrixXd& covariance);
 
   // As they are now. `mount_sigmas` only where the mount is estimated.
   const Pose& T_sensor_imu() const { return T_sensor_imu_; }
@@ -37,6 +39,8 @@ class InertialTerms {
 
   InertialBias bias_at(double time_s) const;
   const Eigen::Vector3d& gravity() const { return gravity_; }
+  // Standard deviation of the vertical per axis; nothing before a move that had the covariance.
+  std::optional<double> level_sigma_rad() const { return level_sigma_rad_; }
   // Root mean square of the terms in the last add(): turn in rad, change of velocity in m/s.
   double turn_rms() const { return turn_rms_; }
   double velocity_rms() const { return velocity_rms_; }
@@ -81,6 +85,7 @@ class InertialTerms {
   double begin_s_, spacing_s_, trust_;
   std::vector<InertialBias> knots_;
   Eigen::Vector3d gravity_;
+  std::optional<double> level_sigma_rad_;
   double turn_rms_ = 0, velocity_rms_ = 0;
 };
 

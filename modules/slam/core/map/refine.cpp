@@ -188,10 +188,12 @@ RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& fr
     // The first pose fixes the map.
     system.block(0, 0).diagonal().array() += 1e10;
 
-    Eigen::VectorXd border, mount(inertial ? static_cast<Eigen::Index>(inertial->calibrated()) : 0);
-    const auto steps = system.solve(border, &mount);
+    const Eigen::Index judged = inertial ? static_cast<Eigen::Index>(inertial->judged()) : 0;
+    Eigen::VectorXd border;
+    Eigen::MatrixXd covariance(judged, judged);
+    const auto steps = system.solve(border, &covariance);
     if (out.stopped = objection(steps); !out.stopped.empty()) break;
-    if (inertial) inertial->move(border, mount);
+    if (inertial) inertial->move(border, covariance);
     out.step_size.push_back(move_nodes(out.path, steps));
     out.rms.push_back(inliers ? std::sqrt(squared_error / static_cast<double>(inliers)) : 0);
   }

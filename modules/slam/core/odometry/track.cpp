@@ -376,15 +376,22 @@ Pose level(const Eigen::Vector3d& gravity, Track& track) {
   return T;
 }
 
+// Standard deviation of the vertical per axis: by the whole walk where it was adjusted, else by the filter at its end.
+double level_sigma_rad(const InertialState& state, const InertialTerms* terms) {
+  if (terms && terms->level_sigma_rad()) return *terms->level_sigma_rad();
+  const Eigen::Matrix3d C = state.covariance.bottomRightCorner<3, 3>();
+  const Eigen::Vector3d down = state.gravity.normalized();
+  return std::sqrt(std::max(0.0, C.trace() - down.dot(C * down)) / 2) / state.gravity.norm();
+}
+
 void report_inertial(const FirstPass& pass, const InertialTerms* terms, Report& report) {
   const auto& state = *pass.inertial;
   const InertialBias bias = terms ? terms->bias_at(state.time_s) : state.bias;
-  const double tilt = std::sqrt(std::max(0.0, state.covariance.bottomRightCorner<3, 3>().trace()));
   report.counts["frames_inertial"] = std::ranges::count(pass.frames, true, &TrackedFrame::joined);
   report.counts["frames_bridged"] = std::ranges::count(pass.frames, true, &TrackedFrame::bridged);
   report.metrics["gyroscope_bias"] = {degrees(bias.gyroscope.norm())};  // deg/s
   report.metrics["accelerometer_bias"] = {bias.accelerometer.norm()};   // m/s2
-  report.metrics["level_sigma"] = {degrees(tilt / state.gravity.norm()), Unit::degree};
+  report.metrics["level_sigma"] = {degrees(level_sigma_rad(state, terms)), Unit::degree};
   if (terms) report.metrics["inertial_turn_rms"] = {degrees(terms->turn_rms()), Unit::degree};
   if (terms) report.metrics["inertial_velocity_rms"] = {terms->velocity_rms(), Unit::metre_per_second};
   std::vector<double> tension;
@@ -479,6 +486,7 @@ Track estimate_track(const FrameSource& source, const SlamSettings& options, Rep
   if (pass.inertial) {
     const Pose T_level = level(terms ? terms->gravity() : pass.inertial->gravity, track);
     for (auto& T : by_odometry) T = T_level * T;
+    track.level_sigma_rad = level_sigma_rad(*pass.inertial, terms ? &*terms : nullptr);
     report_inertial(pass, terms ? &*terms : nullptr, report);
   }
   add_odometry_poses(by_odometry, track.frame_table);

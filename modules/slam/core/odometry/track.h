@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "base/report.h"
@@ -23,9 +24,10 @@ struct Track {
   bool own_motion = false;
   std::vector<std::pair<double, double>> gaps_s;  // intervals without a mapped frame
   std::vector<double> keyframe_times_s;
-  Table frame_table;      // results of the odometry for each frame
-  Table loop_table;       // accepted loop closures
-  Table candidate_table;  // all that were tried, see loop_tables.h
+  std::optional<double> level_sigma_rad;  // z of the path is up to this, by gravity; nothing where z is as it came
+  Table frame_table;                      // results of the odometry for each frame
+  Table loop_table;                       // accepted loop closures
+  Table candidate_table;                  // all that were tried, see loop_tables.h
   Table graph_table;
 };
 

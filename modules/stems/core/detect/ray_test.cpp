@@ -4,14 +4,32 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
+
+#include "cloud/core/whole/whole_size.h"
 
 namespace bole::stems {
 namespace {
 
 constexpr double lowest_m = 0.6, highest_m = 2.4, beyond_m = 0.3;
-constexpr std::size_t max_rays = 3'000'000;
+constexpr double max_rays = 3e6;
+constexpr double max_points = 1e8;  // of a whole that is not in parts: larger ones are never tested as one
+
+// One of so many points is tested.
+std::uint32_t stride_for(const PointCloud& points) {
+  return static_cast<std::uint32_t>(std::min(points_of_whole(points), max_points) / max_rays) + 1;
+}
+
+// An even choice that does not depend on which other points there are.
+bool is_chosen(const Eigen::Vector3f& p, std::uint32_t stride) {
+  if (stride == 1) return true;
+  std::uint64_t mix = 0;
+  for (int k = 0; k < 3; ++k)
+    mix = (mix ^ std::bit_cast<std::uint32_t>(p[k])) * 0x9e3779b97f4a7c15ULL, mix ^= mix >> 29;
+  return (mix >> 20) % stride == 0;
+}
 
 double core_radius(const Stem& s) { return std::min(0.6 * s.radius, s.radius - 0.02); }
 
@@ -105,16 +123,16 @@ std::vector<RayCount> count_rays(const std::vector<Stem>& stems, const PointClou
   std::vector<RayCount> none(stems.size());
   if (stems.empty()) return none;
   const StemSquares squares(stems);
-  const std::size_t stride = points.size() / max_rays + 1, rays = points.size() / stride;
+  const std::uint32_t stride = stride_for(points);
   auto counts = tbb::parallel_reduce(
-      tbb::blocked_range<std::size_t>(0, rays, 4096), none,
+      tbb::blocked_range<std::size_t>(0, points.size(), 1 << 14), none,
       [&](const tbb::blocked_range<std::size_t>& block, std::vector<RayCount> sum) {
         if (run.cancelled()) return sum;
         std::vector<std::uint32_t> met;
-        for (auto r = block.begin(); r != block.end(); ++r) {
-          const auto i = r * stride;
-          const auto sensor = sensor_of(i);
+        for (auto i = block.begin(); i != block.end(); ++i) {
           const auto& p = points.positions()[i];
+          if (!is_chosen(p, stride)) continue;
+          const auto sensor = sensor_of(i);
           if (!sensor || !p.allFinite() || !sensor->allFinite()) continue;
           const Eigen::Vector3d from = sensor->cast<double>(), to = p.cast<double>();
           met.clear();

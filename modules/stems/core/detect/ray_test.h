@@ -19,7 +19,8 @@ struct RayCount {
 using SensorOf = std::function<std::optional<Eigen::Vector3f>(std::size_t i)>;
 
 // Rays that cross the core of each stem (0.6 of its radius, less where the stem is thin) between 0.6 and 2.4 m above
-// its ground. Of many points an even choice is tested.
+// its ground. Of many points an even choice is tested, by their places: in a part of a cloud
+// (cloud/core/whole/whole_size.h) the same as in the whole.
 std::vector<RayCount> count_rays(const std::vector<Stem>& stems, const PointCloud& points, const SensorOf& sensor_of,
                                  const Run& run);
 

@@ -19,9 +19,9 @@ struct Random {
   // Of a place, by the voxel of the thinned layer that it lies in: what is tried there does not depend on what the
   // cloud holds elsewhere.
   static Random at(const StemLayer& grid, const Voxel& v, int slab) {
-    const auto ix = static_cast<std::uint64_t>(std::floor((v.x - grid.corner.x()) / thin_voxel_m)),
-               iy = static_cast<std::uint64_t>(std::floor((v.y - grid.corner.y()) / thin_voxel_m));
-    return {(((iy << 24) ^ ix) << 8) + static_cast<std::uint64_t>(slab)};
+    const auto [ix, iy] = voxel_column(grid, v.x, v.y);
+    return {(((static_cast<std::uint64_t>(iy) << 24) ^ static_cast<std::uint64_t>(ix)) << 8) +
+            static_cast<std::uint64_t>(slab)};
   }
 
   std::uint64_t state;
@@ -100,9 +100,8 @@ class SlabGrid {
     for (auto k = first; k < last; ++k) {
       const auto& v = thin.voxels[k];
       if (v.height < low || v.height >= high) continue;
-      keyed.push_back({(static_cast<std::int64_t>(std::floor((v.y - grid_.corner.y()) / thin_voxel_m)) << 32) +
-                           static_cast<std::int64_t>(std::floor((v.x - grid_.corner.x()) / thin_voxel_m)),
-                       k});
+      const auto [ix, iy] = voxel_column(grid_, v.x, v.y);
+      keyed.push_back({iy * (std::int64_t{1} << 32) + ix, k});
     }
     std::ranges::stable_sort(keyed, {}, &Keyed::key);
     for (std::size_t i = 0; i < keyed.size();) {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "cloud/core/whole/whole_cloud.h"
+
 namespace bole::stems {
 namespace {
 
@@ -23,19 +25,10 @@ std::vector<std::uint32_t> indices_between(const PointCloud& points, float botto
 }
 
 // Where the cells begin: at the least coordinates of the whole cloud, so that they lie the same on the stems wherever
-// the cloud is moved to, and whatever the ground says of points at the edge of the layer. Coordinates of files lie on a
-// lattice, of a millimetre or a part of it; a little off it no point lies on the border of two cells, where rounding
-// would decide.
-Eigen::Vector2d anchor_of(const PointCloud& points, const Run& run) {
-  constexpr double off_lattice_m = 0.000037;
-  Eigen::Vector2f low = Eigen::Vector2f::Constant(std::numeric_limits<float>::infinity());
-  const auto& positions = points.positions();
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    if ((i & 0xfffffU) == 0) run.check_cancel();
-    if (positions[i].allFinite()) low = low.cwiseMin(positions[i].head<2>());
-  }
-  return low.cast<double>().array() - off_lattice_m;
-}
+// the cloud is moved to, whatever the ground says of points at the edge of the layer, and in a part of the cloud.
+// Coordinates of files lie on a lattice, of a millimetre or a part of it; a little off it no point lies on the border
+// of two cells, where rounding would decide.
+constexpr double off_lattice_m = 0.000037;
 
 }  // namespace
 
@@ -53,8 +46,8 @@ StemLayer make_stem_layer(const PointCloud& points, double bottom_m, double top_
     return kept[k];
   };
   for (const auto i : kept) low = low.cwiseMin(positions[i].head<2>()), high = high.cwiseMax(positions[i].head<2>());
-  const Eigen::Vector2d anchor = anchor_of(points, run);
-  layer.corner = anchor.array() + ((low.cast<double>() - anchor).array() / layer.cell_m).floor() * layer.cell_m;
+  layer.anchor = grid_anchor(points, run).head<2>().array() - off_lattice_m;
+  layer.corner = aligned_corner(low.cast<double>(), layer.anchor, layer.cell_m);
   const Eigen::Vector2d extent = high.cast<double>() - layer.corner;
   // A stray point far away must not cost memory: cells grow until the grid is small.
   while ((std::floor(extent.x() / layer.cell_m) + 1) * (std::floor(extent.y() / layer.cell_m) + 1) >

@@ -20,6 +20,7 @@ struct StemLayer {
   std::vector<std::uint32_t> start;  // of cell iy * nx + ix; one more than there are cells
   double cell_m = 0.125;
   Eigen::Vector2d corner = Eigen::Vector2d::Zero();
+  Eigen::Vector2d anchor = Eigen::Vector2d::Zero();  // where cells and voxels begin, the same in a part of a cloud
   int nx = 0, ny = 0;
 
   std::size_t size() const { return position.size(); }

@@ -8,6 +8,8 @@
 namespace bole::stems {
 namespace {
 
+constexpr std::int64_t column_mask = (std::int64_t{1} << 26) - 1;
+
 std::vector<Voxel> thin_cell(const StemLayer& layer, std::size_t cell) {
   struct Keyed {
     std::int64_t key;
@@ -16,10 +18,9 @@ std::vector<Voxel> thin_cell(const StemLayer& layer, std::size_t cell) {
   std::vector<Keyed> keyed;
   for (auto k = layer.start[cell]; k < layer.start[cell + 1]; ++k) {
     const auto& p = layer.position[k];
-    const auto ix = static_cast<std::int64_t>(std::floor((p.x() - layer.corner.x()) / thin_voxel_m)),
-               iy = static_cast<std::int64_t>(std::floor((p.y() - layer.corner.y()) / thin_voxel_m));
+    const auto [ix, iy] = voxel_column(layer, p.x(), p.y());
     const auto ih = static_cast<std::int64_t>(std::floor(layer.height[k] / thin_voxel_height_m));
-    keyed.push_back({(ih << 52) ^ (iy << 26) ^ ix, k});
+    keyed.push_back({(ih << 52) ^ ((iy & column_mask) << 26) ^ (ix & column_mask), k});
   }
   std::ranges::sort(keyed, {}, &Keyed::key);
   std::vector<Voxel> voxels;

@@ -3,7 +3,9 @@
 
 #include <tbb/parallel_for.h>
 
+#include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "base/run.h"
@@ -12,6 +14,12 @@
 namespace bole::stems {
 
 inline constexpr double thin_voxel_m = 0.02, thin_voxel_height_m = 0.05;
+
+// Which column of voxels a place lies in, counted from the anchor of the layer.
+inline std::pair<std::int64_t, std::int64_t> voxel_column(const StemLayer& layer, double x, double y) {
+  return {static_cast<std::int64_t>(std::floor((x - layer.anchor.x()) / thin_voxel_m)),
+          static_cast<std::int64_t>(std::floor((y - layer.anchor.y()) / thin_voxel_m))};
+}
 
 // A point of the thinned layer: the mean of the points of one voxel.
 struct Voxel {

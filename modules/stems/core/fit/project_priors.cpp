@@ -13,8 +13,9 @@ namespace bole::stems {
 namespace {
 
 // Grids of standard deviations in metres. Poses wander by little between views of one pass.
-constexpr std::array pass_sds{0.0005, 0.001, 0.002, 0.003, 0.0045, 0.0065, 0.01, 0.015, 0.02, 0.03, 0.05};
-constexpr std::array view_sds{0.0005, 0.001, 0.0015, 0.002, 0.003, 0.0045, 0.0065, 0.01};
+constexpr std::array<double, drift_pass_steps> pass_sds{0.0005, 0.001, 0.002, 0.003, 0.0045, 0.0065,
+                                                        0.01,   0.015, 0.02,  0.03,  0.05};
+constexpr std::array<double, drift_view_steps> view_sds{0.0005, 0.001, 0.0015, 0.002, 0.003, 0.0045, 0.0065, 0.01};
 
 // Mean and spread of the offset under a normal likelihood and the prior of mean_range_offset, by quadrature: the mode
 // would leap between zero and the evidence.
@@ -35,23 +36,32 @@ RangeOffsetPrior drawn_to_zero(double mean_m, double variance_m2, double expecte
 
 }  // namespace
 
-DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems, const Run& run) {
+DriftLikelihoods drift_likelihoods(const DriftEvidence& stem) {
   // A stem can say at most this much against a prior, so that few wild ones do not decide for all.
   constexpr double max_against = 10;
-  using Likelihoods = std::array<double, pass_sds.size() * view_sds.size()>;
-  std::vector<Likelihoods> of_stem(stems.size());
-  tbb::parallel_for(std::size_t{0}, stems.size(), [&](std::size_t i) {
-    for (std::size_t k = 0; k < of_stem[i].size() && !run.cancelled(); ++k)
-      of_stem[i][k] = drift_log_likelihood(*stems[i], {pass_sds[k / view_sds.size()], view_sds[k % view_sds.size()]});
-  });
-  run.check_cancel();
-  Likelihoods sum{};
-  for (const auto& own : of_stem) {
-    const double best = *std::ranges::max_element(own);
-    for (std::size_t k = 0; k < own.size(); ++k) sum[k] += std::max(own[k] - best, -max_against);
-  }
+  DriftLikelihoods out;
+  for (std::size_t k = 0; k < out.size(); ++k)
+    out[k] = drift_log_likelihood(stem, {pass_sds[k / view_sds.size()], view_sds[k % view_sds.size()]});
+  const double best = *std::ranges::max_element(out);
+  for (double& v : out) v = std::max(v - best, -max_against);
+  return out;
+}
+
+DriftPrior likeliest_drift(const DriftLikelihoods& sum) {
   const auto k = static_cast<std::size_t>(std::ranges::max_element(sum) - sum.begin());
   return {pass_sds[k / view_sds.size()], view_sds[k % view_sds.size()]};
+}
+
+DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems, const Run& run) {
+  std::vector<DriftLikelihoods> of_stem(stems.size());
+  tbb::parallel_for(std::size_t{0}, stems.size(), [&](std::size_t i) {
+    if (!run.cancelled()) of_stem[i] = drift_likelihoods(*stems[i]);
+  });
+  run.check_cancel();
+  DriftLikelihoods sum{};
+  for (const auto& own : of_stem)
+    for (std::size_t k = 0; k < own.size(); ++k) sum[k] += own[k];
+  return likeliest_drift(sum);
 }
 
 RangeOffsetPrior mean_range_offset(std::vector<RangeOffsetEvidence> stems, double expected_sd_m) {

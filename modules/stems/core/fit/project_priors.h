@@ -1,6 +1,7 @@
 // What the stems of a project say together about errors that they share: the second round of fits takes it as known.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "base/run.h"
@@ -9,6 +10,13 @@
 namespace bole::stems {
 
 inline constexpr double known_range_offset_sd_m = 0.0005;  // prior where the range offset is not estimated
+
+// Log likelihoods of what one stem says, by pairs of spreads of passes and views, less that of its best pair. Those of
+// all stems add up, also over stems that were measured apart.
+inline constexpr std::size_t drift_pass_steps = 11, drift_view_steps = 8;
+using DriftLikelihoods = std::array<double, drift_pass_steps * drift_view_steps>;
+DriftLikelihoods drift_likelihoods(const DriftEvidence& stem);
+DriftPrior likeliest_drift(const DriftLikelihoods& sum);
 
 // The spreads of passes and views that make the evidence of all stems likeliest.
 DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems, const Run& run);

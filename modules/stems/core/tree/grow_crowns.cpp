@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "base/statistics.h"
+#include "cloud/core/whole/whole_cloud.h"
 #include "stems/core/tree/crown_cells.h"
 #include "stems/core/tree/tree_axis.h"
 
@@ -14,9 +15,9 @@ namespace bole::stems {
 namespace {
 
 constexpr double cell_m = 0.25, bottom_m = 0.3;
-constexpr int reach_cells = 2;    // a way leaps this many cells at most
-constexpr int coarse_times = 3;   // what is left is reached in cells this much larger
-constexpr double upward = 0.6;    // cost of a metre up, of one sideways: branches rise
+constexpr int reach_cells = 2;       // a way leaps this many cells at most
+constexpr int coarse_times = 3;      // what is left is reached in cells this much larger
+constexpr double upward = 0.6;       // cost of a metre up, of one sideways: branches rise
 constexpr double along_stem = 0.25;  // the same along the continuation of the stem
 constexpr double leader_m = 0.30;    // reach about the continuation
 constexpr double widest_gap_m = 3;   // in a stem or crown
@@ -43,9 +44,7 @@ struct Claim {
     }
     return true;
   }
-  bool holds(float c, std::int32_t t) const {
-    return (tree[0] == t && cost[0] == c) || (tree[1] == t && cost[1] == c);
-  }
+  bool holds(float c, std::int32_t t) const { return (tree[0] == t && cost[0] == c) || (tree[1] == t && cost[1] == c); }
 };
 
 struct Step {
@@ -152,7 +151,7 @@ class Growth {
 
   void spread(const CrownCells& cells, Queue& queue, std::vector<Claim>& claims) const {
     constexpr int n = 2 * reach_cells + 1;
-    std::array<float, static_cast<std::size_t>(n* n* n)> cost{};
+    std::array<float, static_cast<std::size_t>(n * n * n)> cost{};
     const auto at = [](int dx, int dy, int dz) {
       return static_cast<std::size_t>(((dz + reach_cells) * n + dy + reach_cells) * n + dx + reach_cells);
     };
@@ -204,7 +203,8 @@ CrownGrowth grow_crowns(const std::vector<Stem>& stems, const PointCloud& points
       high = high.cwiseMax(Eigen::Vector3d(at.x() + around, at.y() + around, s.ground_z + 1));
     }
   }
-  Eigen::Vector3f cloud_low = Eigen::Vector3f::Constant(std::numeric_limits<float>::infinity()), cloud_high = -cloud_low;
+  Eigen::Vector3f cloud_low = Eigen::Vector3f::Constant(std::numeric_limits<float>::infinity()),
+                  cloud_high = -cloud_low;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if ((i & 0xfffffU) == 0) run.check_cancel();
     const auto& p = points.positions()[i];
@@ -219,8 +219,8 @@ CrownGrowth grow_crowns(const std::vector<Stem>& stems, const PointCloud& points
     low[k] = std::max(low[k], static_cast<double>(cloud_low[k]));
     high[k] = std::min(high[k], static_cast<double>(cloud_high[k]) + 0.01);
   }
-  // Cells lie by a stem, so that a cloud that is moved as a whole has the same crowns.
-  const Eigen::Vector3d& anchor = stems.front().breast_height;
+  // Cells begin where the whole cloud does, so that one that is moved, or a part of it, has the same crowns.
+  const Eigen::Vector3d anchor = grid_anchor(points, run);
   low = anchor.array() + cell_m * ((low - anchor) / cell_m).array().floor();
   const CrownCells cells(points, low, high, cell_m, bottom_m, run);
   const auto claims = Growth(stems, options, run).grow(cells);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/statistics.h"
+#include "cloud/core/whole/whole_cloud.h"
 #include "stems/core/tree/tree_axis.h"
 
 namespace bole::stems {
@@ -38,11 +39,12 @@ class CanopyTop {
       }
     }
     if (!(low.array() <= high.array()).all()) return;
-    corner_ = low;
-    while ((std::floor((high - low).x() / cell_) + 1) * (std::floor((high - low).y() / cell_) + 1) > max_cells)
-      cell_ *= 2;
-    nx_ = static_cast<int>((high - low).x() / cell_) + 1;
-    ny_ = static_cast<int>((high - low).y() / cell_) + 1;
+    corner_ = aligned_corner(low.cast<double>(), grid_anchor(points, run).head<2>(), static_cast<double>(cell_))
+                  .cast<float>();
+    const Eigen::Vector2f extent = high - corner_;
+    while ((std::floor(extent.x() / cell_) + 1) * (std::floor(extent.y() / cell_) + 1) > max_cells) cell_ *= 2;
+    nx_ = static_cast<int>(extent.x() / cell_) + 1;
+    ny_ = static_cast<int>(extent.y() / cell_) + 1;
     highest_.assign(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_), nothing);
     for (std::size_t i = 0; i < points.size(); ++i) {
       if ((i & 0xfffffU) == 0) run.check_cancel();

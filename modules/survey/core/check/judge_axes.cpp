@@ -5,6 +5,7 @@
 
 #include "base/angles.h"
 #include "base/no_number.h"
+#include "cloud/known_facts.h"
 #include "cloud/robust_mean.h"
 #include "cloud/stem_rows.h"
 #include "cloud/table_columns.h"
@@ -67,6 +68,11 @@ void judge_level(const CheckedMap& map, CheckFindings& out) {
   map.report.metrics["common_lean_se"] = {error, Unit::degree};
   constexpr double certain = 3.5;
   if (tilt <= map.options.max_tilt_deg || tilt < certain * error) return;
+  const auto gravity_deg = map.in.points ? fact_number(map.in.points->facts, facts::level_sigma) : std::nullopt;
+  if (gravity_deg && tilt > certain * std::hypot(error, *gravity_deg))
+    return out.skip("level", fmt::format("the stems lean by {:.1f} deg together, and z is up by gravity to {:.2f} deg: "
+                                         "the stand leans, not the frame",
+                                         tilt, *gravity_deg));
   double bearing = degrees(std::atan2(mean.x(), mean.y()));
   if (bearing < 0) bearing += 360;
   out.add(

@@ -12,10 +12,8 @@
 #include "base/error.h"
 #include "base/no_number.h"
 #include "cloud/table_columns.h"
-#include "survey/core/georeference/blunders.h"
-#include "survey/core/georeference/control_level.h"
+#include "survey/core/georeference/chosen_control.h"
 #include "survey/core/georeference/grid_scale.h"
-#include "survey/core/georeference/plan_fit.h"
 #include "survey/core/georeference/residual_table.h"
 #include "survey/core/georeference/unit_weight.h"
 
@@ -28,21 +26,10 @@ class Placing {
           const GeoreferenceOptions& options, Report report)
       : points_(points), crs_(crs), plot_(plot), o_(options) {
     out_.report = std::move(report);
-    used_.assign(points.size(), true);
-    misfit_.assign(points.size(), {no_number, 0, 0, 0});
-    for (auto& m : misfit_) m.limit_m = no_number;
-    stated_ = o_.control_sd || std::ranges::all_of(points, [](const auto& p) { return std::isfinite(p.sd_m); });
   }
 
   Georeference place() {
-    check_distances(points_);
-    level_ = control_level(points_, o_, out_.report);
-    note_ = level_.notes;
-    known_ = known_turn();
-    check_number();
-    refuse_mirrored();
-    judge_bearing();
-    find_blunders();
+    control_ = choose_control(points_, crs_, plot_.bearing_target_rad, o_, out_.report);
     adjust();
     check_residuals();
     finish();
@@ -50,138 +37,20 @@ class Placing {
   }
 
  private:
-  // --- plan
-
-  std::vector<PlanPair> pairs() const {
-    std::vector<PlanPair> all;
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      if (used_[i]) all.push_back(pair(i));
-    return all;
-  }
-  PlanPair pair(std::size_t i) const {
-    const auto& p = points_[i];
-    const double sd = std::hypot(or_usual(p.sd_m, o_.control_sd, usual_control_sd_m), o_.map_sd);
-    return {level_.levelled(p.local).head<2>(), p.global.head<2>(), sd};
-  }
-  std::vector<std::size_t> used_rows() const {
-    std::vector<std::size_t> rows;
-    for (std::size_t i = 0; i < used_.size(); ++i)
-      if (used_[i]) rows.push_back(i);
-    return rows;
-  }
-
-  std::optional<KnownTurn> known_turn() {
-    if (points_.empty()) return std::nullopt;
-    const auto at = crs_.inverse(points_[0].global.x(), points_[0].global.y());
-    const double convergence_deg = crs_.forward(at).convergence_deg;
-    out_.report.metrics["convergence"] = {convergence_deg, Unit::degree};
-    if (!o_.bearing_deg) return std::nullopt;
-    double grid_deg = *o_.bearing_deg;
-    if (o_.bearing_kind == BearingKind::magnetic) grid_deg += o_.declination_deg.value_or(0);
-    if (o_.bearing_kind != BearingKind::grid) grid_deg -= convergence_deg;
-    out_.report.metrics["grid_bearing"] = {grid_deg, Unit::degree};
-    return KnownTurn{wrapped(std::numbers::pi / 2 - radians(grid_deg) - plot_.bearing_target_rad),
-                     radians(o_.bearing_sd_deg)};
-  }
-
-  void check_number() const {
-    if (points_.empty())
-      throw bad_input("no control point has both coordinates and a place in the map",
-                      "two points, or one and a bearing",
-                      "Give the points the names of targets (centre, north), or x_m and y_m beside them");
-    if (points_.size() == 1 && !known_)
-      throw bad_input(fmt::format("there is one control point ('{}'): it gives no direction", points_[0].name),
-                      "two points, or one and a bearing", "Measure a second point, or set bearing");
-    double widest = 0;
-    for (const auto& a : points_)
-      for (const auto& b : points_) widest = std::max(widest, (a.local - b.local).head<2>().norm());
-    constexpr double min_apart_m = 1;
-    if (points_.size() > 1 && widest < min_apart_m && !known_)
-      throw bad_input(fmt::format("the control points lie within {:.2f} m of one another in the map: they give no "
-                                  "direction",
-                                  widest),
-                      fmt::format("points more than {:g} m apart, or a bearing", min_apart_m),
-                      "Measure a point at the other end of the plot");
-  }
-
-  // Easting and northing exchanged mirror the plot, which no turn undoes.
-  void refuse_mirrored() const {
-    if (points_.size() < 3) return;
-    const auto all = pairs();
-    const auto fit = fit_plan(all);
-    const double rms = std::sqrt(fit.chi2 / static_cast<double>(all.size())) * all[0].sd_m;
-    const double mirrored = mirrored_rms_m(all);
-    constexpr double much_better = 0.2, min_rms_m = 0.5;
-    if (rms > min_rms_m && mirrored < much_better * rms)
-      throw bad_input(
-          fmt::format("the control points fit the map only when it is mirrored (residuals {:.2f} m, mirrored "
-                      "{:.2f} m)",
-                      rms, mirrored),
-          "the easting in easting_m and the northing in northing_m",
-          "Exchange the two columns, or check which point has which name");
-  }
-
-  void judge_bearing() {
-    if (!known_ || points_.size() < 2) return;
-    const auto fit = fit_plan(pairs());
-    const double off = wrapped(known_->turn_rad - fit.turn_rad), sd = std::hypot(known_->sd_rad, fit.turn_se_rad);
-    constexpr double limit = 3.3;
-    if (std::abs(off) <= limit * sd) return;
-    out_.report.find(
-        Severity::look, "bearing_contradicts",
-        fmt::format("the bearing differs by {:+.2f} deg from the direction of the control points (standard "
-                    "deviation {:.2f} deg) and is not used. Check declination, its sign, and which point is "
-                    "which",
-                    degrees(off), degrees(sd)));
-    known_.reset();
-  }
-
-  void find_blunders() {
-    while (true) {
-      const auto rows = used_rows();
-      const auto tests = leave_one_out(pairs(), 1, known_, stated_);
-      for (std::size_t k = 0; k < tests.size(); ++k) misfit_[rows[k]] = tests[k];
-      const auto found = snoop(tests);
-      if (found.worst < 0) return;
-      const auto row = rows[static_cast<std::size_t>(found.worst)];
-      const auto& test = tests[static_cast<std::size_t>(found.worst)];
-      const std::string said =
-          fmt::format("control point '{}' lies {:.3f} m from where the others put it (limit {:.3f} m)",
-                      points_[row].name, test.distance_m, test.limit_m);
-      if (!found.also.empty()) {
-        std::string others;
-        for (const int k : found.also)
-          others += fmt::format("{}'{}'", others.empty() ? "" : ", ", points_[rows[static_cast<std::size_t>(k)]].name);
-        note_[row] = "does not fit";
-        out_.report.find(Severity::look, "control_blunder_unclear",
-                         said + ", but an error of " + others +
-                             " would explain it as well: too few points to tell. Measure them again, or add one");
-        return;
-      }
-      const bool leave_out = o_.leave_out_blunders;
-      out_.report.find(
-          Severity::look, "control_blunder",
-          said + (leave_out ? ": it is left out" : "") + ". Check its coordinates, its name and its place in the map");
-      note_[row] = leave_out ? "left out: does not fit the others" : "does not fit the others";
-      if (!leave_out) return;
-      used_[row] = false;
-    }
-  }
-
   void adjust() {
-    const double height = level_.heights ? level_.heights->centre_height_m : 0;
-    ScaleQuestion question{pairs(), known_, stated_, 1, 0};
-    fit_ = fit_plan(question.pairs, 1, known_);
+    const double height = control_.level.heights ? control_.level.heights->centre_height_m : 0;
+    ScaleQuestion question{control_.pairs, control_.known, control_.stated, 1, 0};
+    fit_ = fit_plan(question.pairs, 1, control_.known);
     question.grid = crs_.ground_scale(fit_.centre_global.x(), fit_.centre_global.y(), height);
     for (const auto& stem : plot_.stems)
       question.reach_m = std::max(question.reach_m, (stem.head<2>() - fit_.centre_local).norm());
     const auto scale = choose_scale(question, fit_, o_.scale, out_.report);
-    if (scale.value != 1) fit_ = fit_plan(question.pairs, scale.value, known_);
+    if (scale.value != 1) fit_ = fit_plan(question.pairs, scale.value, control_.known);
     out_.uncertainty.scale_doubt = scale.doubt;
   }
 
   void check_residuals() {
-    const auto rows = used_rows();
+    const auto& rows = control_.rows;
     std::size_t worst = 0;
     double most = -1, sum = 0;
     for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -207,7 +76,7 @@ class Placing {
     int told = 0;
     constexpr int max_told = 4;
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      if (i == worst || !used_[i] || ++told > max_told) continue;
+      if (i == worst || !control_.used[i] || ++told > max_told) continue;
       distances += fmt::format("{}to '{}' {:.2f} m by coordinates, {:.2f} m in the map", distances.empty() ? "" : "; ",
                                points_[i].name, (points_[i].global - points_[worst].global).head<2>().norm(),
                                (points_[i].local - points_[worst].local).head<2>().norm());
@@ -219,21 +88,39 @@ class Placing {
   // --- result
 
   void finish() {
-    const auto unit = unit_weight(fit_.chi2, fit_.redundancy, stated_);
+    const auto unit = unit_weight(fit_.chi2, fit_.redundancy, control_.stated);
     if (unit.failed)
       out_.report.find(Severity::look, "control_residuals_large",
                        fmt::format("the residuals of the control points are {:.1f} times as large as control_sd and "
                                    "map_sd say; the standard errors were raised by this factor",
                                    unit.factor));
+    const double factor = control_.stated ? unit.factor : open_factor(unit.factor);
     set_frame();
     auto& u = out_.uncertainty;
     u.centre_local = fit_.centre_local;
-    u.centre_z_m = level_.heights ? level_.heights->centre_local.z() : mean_control_z();
-    u.shift_se_m = fit_.shift_se_m * unit.factor;
-    u.turn_se_rad = fit_.turn_se_rad * unit.factor;
-    u.tilt_se_rad = level_.tilt_se_rad;
+    u.centre_z_m = control_.level.heights ? control_.level.heights->centre_local.z() : mean_control_z();
+    u.shift_se_m = fit_.shift_se_m * factor;
+    u.turn_se_rad = fit_.turn_se_rad * factor;
+    u.tilt_se_rad = control_.level.tilt_se_rad;
     set_table();
     tell();
+  }
+
+  // Where control_sd is open the residuals alone tell the size of the errors, however few they are; what map_sd says
+  // is there in any case.
+  double open_factor(double assumed) {
+    if (fit_.redundancy <= 0) return assumed;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& p : control_.pairs) least = std::min(least, o_.map_sd / p.sd_m);
+    const double factor = std::max(least, residual_factor(fit_.chi2, fit_.redundancy));
+    if (fit_.redundancy < min_own_freedom)
+      out_.report.find(
+          Severity::note, "control_sd_open",
+          fmt::format("control_sd is open and the control points have {} redundanc{}: the standard error of the place "
+                      "({:.1f} cm) rests on that alone and is wide. State control_sd (or sd_m per point) where the "
+                      "survey of the points tells it",
+                      fit_.redundancy, fit_.redundancy == 1 ? "y" : "ies", 100 * fit_.shift_se_m * factor));
+    return factor;
   }
 
   double mean_control_z() const {
@@ -249,22 +136,22 @@ class Placing {
 
   void set_frame() {
     auto& frame = out_.frame;
-    const Eigen::Matrix3d level = level_.heights && level_.heights->levelled
-                                      ? level_.heights->R_level_local()
+    const Eigen::Matrix3d level = control_.level.heights && control_.level.heights->levelled
+                                      ? control_.level.heights->R_level_local()
                                       : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(fit_.turn_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
     const Eigen::Vector3d scale(fit_.scale, fit_.scale, 1);
     frame.A_global_local = scale.asDiagonal() * turn * level;
-    frame.centre_local = level_.heights ? level_.heights->centre_local
-                                        : Eigen::Vector3d(fit_.centre_local.x(), fit_.centre_local.y(), 0);
+    frame.centre_local = control_.level.heights ? control_.level.heights->centre_local
+                                                : Eigen::Vector3d(fit_.centre_local.x(), fit_.centre_local.y(), 0);
     const Eigen::Vector2d at = fit_.to_global(frame.centre_local.head<2>());
-    frame.shift_global = {at.x(), at.y(), level_.heights ? level_.heights->centre_height_m : 0};
-    frame.heights_known = level_.heights.has_value();
+    frame.shift_global = {at.x(), at.y(), control_.level.heights ? control_.level.heights->centre_height_m : 0};
+    frame.heights_known = control_.level.heights.has_value();
     frame.crs_wkt = crs_.wkt();
   }
 
   void set_table() {
-    out_.control = residual_table({points_, used_, note_, misfit_, fit_, level_});
+    out_.control = residual_table({points_, control_.used, control_.notes, control_.misfits, fit_, control_.level});
     set_fact(out_.control.facts, facts::axes, axes_name(plot_.axes));
     set_facts(out_.control.facts, out_.frame);
   }
@@ -278,7 +165,7 @@ class Placing {
     report.metrics["easting"] = {out_.frame.shift_global.x(), Unit::metre};
     report.metrics["northing"] = {out_.frame.shift_global.y(), Unit::metre};
     report.counts["control_points"] = static_cast<std::int64_t>(points_.size());
-    report.counts["control_points_used"] = static_cast<std::int64_t>(used_rows().size());
+    report.counts["control_points_used"] = static_cast<std::int64_t>(control_.rows.size());
     report.counts["redundancy"] = fit_.redundancy;
     report.facts["crs"] = crs_.title();
     double worst = 0;
@@ -287,7 +174,7 @@ class Placing {
     report.message = fmt::format(
         "{}: {} of {} control points, residuals {:.1f} cm, turn {:.2f} +- {:.2f} deg, place of "
         "the farthest stem +- {:.1f} cm",
-        crs_.title(), used_rows().size(), points_.size(), 100 * report.metrics["residual_rms"].value, turn_deg,
+        crs_.title(), control_.rows.size(), points_.size(), 100 * report.metrics["residual_rms"].value, turn_deg,
         degrees(out_.uncertainty.turn_se_rad), 100 * worst);
     if (fit_.redundancy == 0)
       report.find(Severity::look, "control_unchecked",
@@ -312,12 +199,7 @@ class Placing {
   const LocalPlot& plot_;
   const GeoreferenceOptions& o_;
   Georeference out_;
-  std::vector<bool> used_;
-  std::vector<std::string> note_;
-  std::vector<LeftOut> misfit_;
-  bool stated_ = false;
-  ControlLevel level_;
-  std::optional<KnownTurn> known_;
+  ChosenControl control_;
   PlanFit fit_;
 };
 

@@ -11,23 +11,15 @@
 #include "base/error.h"
 #include "base/statistics.h"
 #include "survey/core/georeference/plan_fit.h"
+#include "survey/core/georeference/track_noise.h"
 
 namespace bole::survey {
 namespace {
 
-constexpr int unknowns = 8;  // turn, easting, northing, height, offset of the clocks, lever arm
-using Vector = Eigen::Matrix<double, unknowns, 1>;
-using Matrix = Eigen::Matrix<double, unknowns, unknowns>;
+using Vector = TrackVector;
+using Matrix = TrackMatrix;
+using Row = TrackRow;
 enum : Eigen::Index { turn = 0, shift = 1, clock_offset = 4, lever = 5 };
-constexpr double height_factor = 2;  // heights of GNSS scatter more than the plan
-
-// One fix, as the adjustment sees it.
-struct Row {
-  Eigen::Vector3d residual = Eigen::Vector3d::Zero();
-  Eigen::Matrix<double, 3, unknowns> jacobian = Eigen::Matrix<double, 3, unknowns>::Zero();
-  bool has_height = false;
-  double sd_m = 1;
-};
 
 class TrackAdjustment {
  public:
@@ -49,7 +41,7 @@ class TrackAdjustment {
       x_(turn) = wrapped(x_(turn));
       if (step.cwiseAbs().maxCoeff() < 1e-7) break;
     }
-    return result();
+    return result(weigh_lasting_errors());
   }
 
  private:
@@ -94,7 +86,6 @@ class TrackAdjustment {
 
   std::vector<Row> linearised() const {
     const Eigen::Matrix3d R = Eigen::AngleAxisd(x_(turn), Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    constexpr double half_step_s = 0.05;
     std::vector<Row> rows;
     for (const auto& fix : track_) {
       const double t = fix.time_s + x_(clock_offset);
@@ -102,13 +93,14 @@ class TrackAdjustment {
       const Eigen::Vector3d local = antenna_at(t) - centre_;
       const Eigen::Vector3d turned = R * local;
       Row row;
+      row.time_s = t;
       row.has_height = std::isfinite(fix.global.z());
       row.sd_m = fix.sd_m;
       row.residual = fix.global - base_global_ - x_.segment<3>(shift) - turned;
       row.jacobian.col(turn) = Eigen::Vector3d(-turned.y(), turned.x(), 0);
       row.jacobian.middleCols<3>(shift) = Eigen::Matrix3d::Identity();
       row.jacobian.col(clock_offset) =
-          R * (antenna_at(t + half_step_s) - antenna_at(t - half_step_s)) / (2 * half_step_s);
+          R * (antenna_at(t + half_step_s_) - antenna_at(t - half_step_s_)) / (2 * half_step_s_);
       row.jacobian.middleCols<3>(lever) = R * pose_at(t).linear();
       if (!row.has_height) {
         row.residual.z() = 0;
@@ -119,7 +111,7 @@ class TrackAdjustment {
     return rows;
   }
 
-  // Cauchy weights, and the variance and correlation of the residuals.
+  // Cauchy weights, and the size of the errors.
   void weigh(const std::vector<Row>& rows) {
     std::vector<double> sizes;
     for (const auto& r : rows) sizes.push_back(r.residual.head<2>().norm() / r.sd_m);
@@ -131,35 +123,14 @@ class TrackAdjustment {
       const double u = size / (tuning * unit_);
       weights_.push_back(1 / (1 + u * u));
     }
-    correlation_ = fixes_per_independent(rows);
-  }
-
-  // One and twice the sum of the autocorrelations of the residuals, up to where they die away.
-  double fixes_per_independent(const std::vector<Row>& rows) const {
-    const std::size_t n = rows.size();
-    const auto value = [&](std::size_t i) -> Eigen::Vector2d {
-      return std::sqrt(weights_[i]) / rows[i].sd_m * rows[i].residual.head<2>();
-    };
-    double power = 0;
-    for (std::size_t i = 0; i < n; ++i) power += value(i).squaredNorm();
-    if (!(power > 0)) return 1;
-    double sum = 1;
-    constexpr double negligible = 0.05;
-    for (std::size_t lag = 1; lag < n / 4; ++lag) {
-      double product = 0;
-      for (std::size_t i = 0; i + lag < n; ++i) product += value(i).dot(value(i + lag));
-      if (product < negligible * power) break;
-      sum += 2 * product / power;
-    }
-    return sum;
   }
 
   double information(std::size_t i, const Row& row) const {
-    return weights_[i] / (unit_ * unit_ * row.sd_m * row.sd_m * correlation_);
+    return weights_[i] / (unit_ * unit_ * row.sd_m * row.sd_m);
   }
   Eigen::Vector3d axis_weights(std::size_t i, const Row& row) const {
     const double w = information(i, row);
-    return {w, w, row.has_height ? w / (height_factor * height_factor) : 0};
+    return {w, w, row.has_height ? w / (track_height_factor * track_height_factor) : 0};
   }
 
   Matrix normal_matrix(const std::vector<Row>& rows) const {
@@ -181,14 +152,44 @@ class TrackAdjustment {
     return b;
   }
 
-  TrackFit result() {
+  // From the robust solution to that which allows for errors that last. Gross errors take no part.
+  TrackEstimate weigh_lasting_errors() {
+    TrackEstimate estimate;
+    constexpr int iterations = 10;
+    for (int k = 0; k < iterations; ++k) {
+      auto rows = linearised();
+      weigh(rows);
+      constexpr double gross = 4.5;  // standard deviations
+      for (auto& r : rows) r.used = r.residual.head<2>().norm() <= gross * unit_ * r.sd_m;
+      estimate = estimate_with_lasting_errors(rows, prior_information(), unit_);
+      x_ += estimate.step;
+      x_(turn) = wrapped(x_(turn));
+      if (k >= 3 && estimate.step.cwiseAbs().maxCoeff() < 1e-4) break;
+      if (k >= 3) continue;
+      // The slope over what is not known of the clocks: at a sudden turn that over an instant is too steep, and the
+      // offset would seem better known than it is.
+      constexpr double min_half_step_s = 0.05, max_half_step_s = 0.5, times = 3;
+      half_step_s_ = std::clamp(times * std::sqrt(estimate.covariance(clock_offset, clock_offset)), min_half_step_s,
+                                max_half_step_s);
+    }
+    return estimate;
+  }
+
+  TrackPriorInformation prior_information() const {
+    TrackPriorInformation known;
+    known.weight.segment<3>(lever).setConstant(1 / (prior_.lever_sd_m * prior_.lever_sd_m));
+    known.residual.segment<3>(lever) = prior_.lever_sensor - x_.segment<3>(lever);
+    // The plan says nothing of the height, and without heights nothing does: a metre keeps the equations regular.
+    known.weight(shift + 2) = 1e-6;
+    if (!any_height_) known.weight(shift + 2) = 1;
+    return known;
+  }
+
+  TrackFit result(const TrackEstimate& estimate) {
     const auto rows = linearised();
     weigh(rows);
-    const Matrix covariance = normal_matrix(rows).inverse();
-    // Few independent fixes: the factor from normal to Student's t intervals.
-    const double independent = static_cast<double>(rows.size()) / correlation_;
-    const double t_factor = student_975(std::max(1.0, 2 * independent - unknowns)) / student_975(1e6);
-    const auto se = [&](Eigen::Index k) { return t_factor * std::sqrt(covariance(k, k)); };
+    const Matrix& covariance = estimate.covariance;
+    const auto se = [&](Eigen::Index k) { return std::sqrt(covariance(k, k)); };
     TrackFit fit;
     fit.turn_rad = x_(turn);
     fit.centre_local = centre_;
@@ -197,11 +198,11 @@ class TrackAdjustment {
     fit.clock_offset_s = x_(clock_offset);
     fit.lever_sensor = x_.segment<3>(lever);
     fit.turn_se_rad = se(turn);
-    fit.shift_se_m = t_factor * std::sqrt((covariance(shift, shift) + covariance(shift + 1, shift + 1)) / 2);
+    fit.shift_se_m = std::sqrt((covariance(shift, shift) + covariance(shift + 1, shift + 1)) / 2);
     fit.height_se_m = se(shift + 2);
     fit.clock_offset_se_s = se(clock_offset);
     fit.lever_se_m = {se(lever), se(lever + 1), se(lever + 2)};
-    fit.fixes_per_independent = correlation_;
+    fit.fixes_per_independent = estimate.fixes_per_independent;
     fit.fixes = rows.size();
     std::vector<double> distances;
     for (const auto& r : rows) distances.push_back(r.residual.head<2>().norm());
@@ -220,7 +221,7 @@ class TrackAdjustment {
   Vector x_;
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero(), base_global_ = Eigen::Vector3d::Zero();
   std::vector<double> weights_;
-  double unit_ = 1, correlation_ = 1;
+  double unit_ = 1, half_step_s_ = 0.05;
   bool any_height_ = false;
 };
 

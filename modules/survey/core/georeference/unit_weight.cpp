@@ -23,9 +23,13 @@ UnitWeight unit_weight(double chi2, int redundancy, bool stated) {
     if (chi2 <= chi2_limit(redundancy)) return {};
     return {std::sqrt(chi2 / redundancy), true};
   }
-  if (redundancy >= min_own_freedom) return {std::sqrt(chi2 / redundancy) * student_975(redundancy) / z_95, false};
+  if (redundancy >= min_own_freedom) return {residual_factor(chi2, redundancy), false};
   const double freedom = assumed_freedom + redundancy;
   return {std::sqrt((assumed_freedom + chi2) / freedom) * student_975(freedom) / z_95, false};
+}
+
+double residual_factor(double chi2, int redundancy) {
+  return std::sqrt(chi2 / redundancy) * student_975(redundancy) / z_95;
 }
 
 double or_usual(double stated, const std::optional<double>& option, double usual) {

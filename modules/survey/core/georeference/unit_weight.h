@@ -18,6 +18,11 @@ struct UnitWeight {
 // the difference to 1.96.
 UnitWeight unit_weight(double chi2, int redundancy, bool stated);
 
+// The factor where nothing but the residuals tells the size of the errors, for one redundancy and more: the 95 %
+// interval is Student's t with as many degrees of freedom, 12.7 times as wide as the residuals say for one. It is right
+// whatever the size of the errors, and wide, because one residual hardly tells it.
+double residual_factor(double chi2, int redundancy);
+
 // The standard deviation of a file's row, else that of the option, else the usual one.
 double or_usual(double stated, const std::optional<double>& option, double usual);
 

@@ -1,0 +1,121 @@
+#include "features/view_tools/bookmarks.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QMenu>
+#include <algorithm>
+
+#include "base/atomic_file.h"
+#include "views/scene_view.h"
+#include "workbench/workbench.h"
+
+namespace bole::desktop {
+namespace {
+
+constexpr int bookmark_section = 1;  // of the menu View
+
+QJsonArray json_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+Eigen::Vector3d vector_in(const QJsonObject& object, const char* key) {
+  const auto a = object.value(key).toArray();
+  return {a.at(0).toDouble(), a.at(1).toDouble(), a.at(2).toDouble()};
+}
+
+QJsonObject json_of(const QString& name, const ViewPoint& point) {
+  return {{"name", name},
+          {"eye", json_of(point.eye)},
+          {"centre", json_of(point.centre)},
+          {"up", json_of(point.up)},
+          {"parallel", point.parallel},
+          {"half_height_m", point.half_height_m}};
+}
+
+}  // namespace
+
+Bookmarks::Bookmarks(Workbench& bench) : QObject(&bench), bench_(bench) {
+  make_commands();
+  connect(&bench_, &Workbench::document_opened, this, &Bookmarks::load);
+}
+
+void Bookmarks::make_commands() {
+  auto& commands = bench_.commands();
+  commands.add({.id = "view.bookmark",
+                .text = tr("Bookmark this view…"),
+                .key = QKeySequence("Ctrl+B"),
+                .places = {in_menu(Menu::view, bookmark_section), in_tool_bar("view_bar", 2), in_context("scene", 2)},
+                .act =
+                    [this] {
+                      const QString name =
+                          QInputDialog::getText(&bench_, tr("Bookmark"), tr("Name of the view"), QLineEdit::Normal,
+                                                tr("View %1").arg(list_.size() + 1));
+                      if (!name.isEmpty()) add(name);
+                    },
+                .enabled_when = bench_.with_document()});
+  commands.add_submenu({.id = "view.bookmarks",
+                        .title = tr("Bookmarked views"),
+                        .place = in_menu(Menu::view, bookmark_section),
+                        .fill = [this](QMenu& menu) { fill(menu, &Bookmarks::go); }});
+  commands.add_submenu({.id = "view.bookmarks_delete",
+                        .title = tr("Delete bookmark"),
+                        .place = in_menu(Menu::view, bookmark_section),
+                        .fill = [this](QMenu& menu) { fill(menu, &Bookmarks::remove); }});
+}
+
+void Bookmarks::fill(QMenu& menu, void (Bookmarks::*act)(const QString&)) {
+  for (const auto& name : names())
+    connect(menu.addAction(name), &QAction::triggered, this,
+            [this, act, name] { bench_.guarded([&] { (this->*act)(name); }); });
+}
+
+QStringList Bookmarks::names() const {
+  QStringList names;
+  for (const auto& [name, point] : list_) names << name;
+  return names;
+}
+
+void Bookmarks::add(const QString& name) {
+  std::erase_if(list_, [&](const auto& entry) { return entry.first == name; });
+  list_.emplace_back(name, bench_.scene().view_point());
+  store();
+}
+
+void Bookmarks::remove(const QString& name) {
+  std::erase_if(list_, [&](const auto& entry) { return entry.first == name; });
+  store();
+}
+
+void Bookmarks::go(const QString& name) {
+  for (const auto& [other, point] : list_)
+    if (other == name) bench_.scene().set_view_point(point);
+  bench_.commands().update();  // the projection may be another one
+}
+
+QString Bookmarks::file() const {
+  const QFileInfo document(bench_.session().path());
+  return document.dir().filePath(document.completeBaseName() + ".views.json");
+}
+
+void Bookmarks::load() {
+  list_.clear();
+  QFile stored(file());
+  if (!stored.open(QIODevice::ReadOnly)) return;
+  for (const auto& value : QJsonDocument::fromJson(stored.readAll()).array()) {
+    const auto object = value.toObject();
+    const ViewPoint point{vector_in(object, "eye"), vector_in(object, "centre"), vector_in(object, "up"),
+                          object.value("parallel").toBool(), object.value("half_height_m").toDouble(1)};
+    if (point.eye != point.centre) list_.emplace_back(object.value("name").toString(), point);
+  }
+}
+
+void Bookmarks::store() const {
+  QJsonArray all;
+  for (const auto& [name, point] : list_) all.append(json_of(name, point));
+  write_text_file(file().toStdString(), QJsonDocument(all).toJson().toStdString());
+}
+
+}  // namespace bole::desktop
