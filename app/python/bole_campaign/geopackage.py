@@ -123,6 +123,8 @@ class Ledger:
         self.db.execute(f"PRAGMA application_id = {APPLICATION_ID}")
         self.db.execute(f"PRAGMA user_version = {USER_VERSION}")
         self.db.execute("PRAGMA journal_mode = WAL")
+        # No wait for the disk at every state of an input: a power cut may cost the last of them, and the folders have them all.
+        self.db.execute("PRAGMA synchronous = NORMAL")
         self.db.executescript(TABLES)
 
     def close(self):
