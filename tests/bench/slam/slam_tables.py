@@ -430,6 +430,8 @@ def paper_rows(variants, runs, plots, table):
 def tables(arguments, rate, variants, runs):
     seeds = f"{len(arguments.seeds)} seeds" if len(arguments.seeds) > 1 else f"seed {arguments.seeds[0]}"
     scans = f"simulated scans at {rate} Hz, {seeds}"
+    if not any(runs.values()):
+        return f"\nNo run of a whole walk at {rate} Hz: no tables."
     out = []
     for title, table in [("Table 2, stem positions", TABLE_2), ("Table 3, diameters", TABLE_3)]:
         out.append(table_text(f"{title}: measured on {scans}, all matched trees (published for the same system, field data)",
