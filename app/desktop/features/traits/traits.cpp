@@ -1,5 +1,6 @@
 #include "features/traits/traits.h"
 
+#include <QDockWidget>
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
