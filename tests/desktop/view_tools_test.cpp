@@ -203,7 +203,7 @@ class ViewToolsTest : public QObject {
     auto& boundary = *window_->findChild<PlotBoundary*>();
     QVERIFY(boundary.area() && std::abs(boundary.area()->width_m - 8) < 1e-9);
     window_->commands().trigger("view.map");
-    window_->commands().trigger("survey.boundary");
+    window_->commands().trigger("plot.boundary");
     const auto centre = boundary.area()->centre;
     const double z = scene().whole().lo.z();
     const QPoint from = scene().place_of({centre.x(), centre.y(), z}),
@@ -216,7 +216,7 @@ class ViewToolsTest : public QObject {
              qPrintable(QString::number(boundary.area()->centre.x())));
     window_->session().undo_stack().undo();
     QVERIFY(wait_for_run(*window_));
-    window_->commands().trigger("survey.boundary");
+    window_->commands().trigger("plot.boundary");
     window_->session().discard_recovery();
     open("plot.json");
   }
@@ -276,7 +276,7 @@ class ViewToolsTest : public QObject {
     open("placed.json");
     auto& form = *window_->findChild<PlaceForm*>();
     auto& table = form.table();
-    QVERIFY(window_->commands().action("survey.place")->isEnabled());
+    QVERIFY(window_->commands().action("plot.place")->isEnabled());
     QVERIFY_EXCEPTION_THROWN(form.apply(), Error);  // no point
     type_point(table, 0, "A", 0, 0);
     type_point(table, 1, "B", 9, 0);

@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "look/icons.h"
 
 namespace bole::desktop {
 namespace {
@@ -27,7 +26,8 @@ Place in_submenu(const char* name, int section) { return {Place::Kind::submenu, 
 Place in_tool_bar(const char* name, int section) { return {Place::Kind::tool_bar, name, section}; }
 Place in_context(const char* name, int section) { return {Place::Kind::context, name, section}; }
 
-Commands::Commands(QWidget& window, Guard guard) : QObject(&window), window_(window), guard_(std::move(guard)) {}
+Commands::Commands(QWidget& window, Guard guard, IconOf icon_of)
+    : QObject(&window), window_(window), guard_(std::move(guard)), icon_of_(std::move(icon_of)) {}
 
 void Commands::refuse_duplicates(const Command& command) const {
   if (has(command.id))
@@ -50,7 +50,7 @@ QAction* Commands::add(Command command) {
   entry->action = action;
   action->setObjectName(c.id);
   action->setShortcut(c.key);
-  action->setIcon(c.icon.isNull() ? icon_named(c.id) : c.icon);
+  action->setIcon(c.icon.isNull() && icon_of_ ? icon_of_(c.id) : c.icon);
   action->setIconVisibleInMenu(true);
   if (!c.text.isEmpty()) action->setText(c.text);
   show_tip(*action, c, true);

@@ -20,8 +20,11 @@ class Commands : public QObject {
  public:
   using Guard = std::function<void(const std::function<void()>&)>;
 
-  // Keys work in `window`. `guard` runs what commands do, and turns errors into sentences.
-  Commands(QWidget& window, Guard guard);
+  using IconOf = std::function<QIcon(const QString& id)>;
+
+  // Keys work in `window`. `guard` runs what commands do, and turns errors into sentences. `icon_of` gives the icons of
+  // commands that bring none.
+  Commands(QWidget& window, Guard guard, IconOf icon_of = {});
 
   // Throw Error{failed} for an id that is taken, and for a key that is taken in the window or in the owner.
   QAction* add(Command command);
@@ -60,6 +63,7 @@ class Commands : public QObject {
 
   QWidget& window_;
   Guard guard_;
+  IconOf icon_of_;
   std::vector<std::unique_ptr<Entry>> entries_;
   std::map<QString, QActionGroup*> groups_;
 };

@@ -3,15 +3,14 @@
 #include <QPainter>
 #include <QRegularExpression>
 #include <QXmlStreamReader>
-
-#include "base/error.h"
+#include <stdexcept>
 
 namespace bole::desktop {
 namespace {
 
 [[noreturn]] void refuse_svg(const QString& what) {
-  throw bad_input("the icon has " + what.toStdString(),
-                  "path with M L H V C Q Z, rect, circle; fill none or currentColor");
+  throw std::invalid_argument("the icon has " + what.toStdString() +
+                              "; needed: path with M L H V C Q Z, rect, circle; fill none or currentColor");
 }
 
 double number_in(const QXmlStreamAttributes& attributes, const char* name, double otherwise = 0) {
@@ -83,8 +82,8 @@ QPainterPath outline_of_element(const QString& element, const QXmlStreamAttribut
     path.addEllipse(QPointF(number_in(a, "cx"), number_in(a, "cy")), number_in(a, "r"), number_in(a, "r"));
   } else if (element == "rect") {
     const double round = number_in(a, "rx");
-    path.addRoundedRect(
-        QRectF(number_in(a, "x"), number_in(a, "y"), number_in(a, "width"), number_in(a, "height")), round, round);
+    path.addRoundedRect(QRectF(number_in(a, "x"), number_in(a, "y"), number_in(a, "width"), number_in(a, "height")),
+                        round, round);
   } else {
     refuse_svg("the element <" + element + ">");
   }

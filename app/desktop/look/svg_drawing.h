@@ -13,7 +13,7 @@ namespace bole::desktop {
 
 class SvgDrawing {
  public:
-  // Throws Error{bad_input} that names what is not understood.
+  // Throws std::invalid_argument that names what is not understood.
   static SvgDrawing parse(const QByteArray& svg);
 
   void paint(QPainter& painter, const QRectF& where, const QColor& color) const;

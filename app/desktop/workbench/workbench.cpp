@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "document/stage_roles.h"
+#include "look/icons.h"
 #include "panels/pipeline_panel.h"
 #include "panels/properties_panel.h"
 #include "panels/table_panel.h"
@@ -34,7 +35,8 @@ StageMark mark_of(const vtkbridge::StageOutcome& stage) {
 
 Workbench::Workbench()
     : docks_(*this),
-      commands_(new Commands(*this, [this](const auto& act) { guarded(act); })),
+      commands_(new Commands(
+          *this, [this](const auto& act) { guarded(act); }, icon_named)),
       run_(new Runner(session_, this)),
       pipeline_(new PipelinePanel(session_, visibility_, *commands_, this)),
       properties_(new PropertiesPanel(session_, this)),

@@ -108,7 +108,7 @@ void PlaceForm::make_widgets() {
 
 void PlaceForm::make_commands() {
   bench_.commands().add(
-      {.id = "survey.place",
+      {.id = "plot.place",
        .text = tr("Place on the earth…"),
        .places = {in_menu(Menu::tools, place_section)},
        .act = [this] { bench_.docks().raise(dock_id); },
@@ -182,7 +182,8 @@ QString PlaceForm::new_file(const std::string& content) const {
 void PlaceForm::apply() {
   const auto* node = stage();
   if (node == nullptr)
-    throw bad_input("the pipeline has no stage that georeferences", "survey.georeference", "Add it behind the stems");
+    throw bad_input("the pipeline has no stage that georeferences", "one like that of the pipeline forest_plot",
+                    "Add it behind the stems");
   if (table_->points_given() == 0)
     throw bad_input("no point has easting and northing", "one or more", "Type or paste coordinates into the table");
   const auto content = table_->csv();

@@ -31,7 +31,7 @@ PlotBoundary::PlotBoundary(Workbench& bench) : QObject(&bench), bench_(bench) {
 }
 
 void PlotBoundary::make_commands() {
-  bench_.commands().add({.id = "survey.boundary",
+  bench_.commands().add({.id = "plot.boundary",
                          .text = tr("Move the plot boundary"),
                          .places = {in_menu(Menu::tools, boundary_section)},
                          .turn = [this](bool on) { edit(on); },
