@@ -1,7 +1,6 @@
 #include "stems/core/measure_stems.h"
 
 #include <fmt/format.h>
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -10,16 +9,19 @@
 #include <limits>
 #include <utility>
 
-#include "base/statistics.h"
 #include "cloud/large_cloud.h"
-#include "stems/core/bark_findings.h"
 #include "stems/core/detect/ray_test.h"
+#include "stems/core/detect/sensor_positions.h"
+#include "stems/core/fit/forks.h"
+#include "stems/core/fit/learn_priors.h"
 #include "stems/core/fit/pass_alignment.h"
+#include "stems/core/fit/pass_sightings.h"
 #include "stems/core/fit/project_priors.h"
 #include "stems/core/fit/repeated_fits.h"
 #include "stems/core/fit/stem_quality.h"
 #include "stems/core/ground_check.h"
 #include "stems/core/sensor_facts.h"
+#include "stems/core/survey_report.h"
 #include "stems/core/tree/assign_points.h"
 #include "stems/core/tree/crown_form.h"
 #include "stems/core/tree/grow_crowns.h"
@@ -28,25 +30,9 @@
 namespace bole::stems {
 namespace {
 
-constexpr double all_round_rad = 6.0;
-constexpr double min_drift_to_align_m = 0.01;
 constexpr int max_alignments = 2;
 constexpr double unknown_once_aligned_m = 0.0007;  // of all radii alike: displacements take up some of the range offset
 constexpr double max_learnt_noise_m = 0.035;       // of the residuals' scale
-constexpr int min_sighting = 20;                   // points of a pass that tell where it sees a stem
-
-template <class T>
-const std::vector<T>* column_or_null(const PointCloud& points, const ArrayInfo& info) {
-  return points.has(info) ? &points.values<T>(info) : nullptr;
-}
-
-std::optional<Eigen::Vector3f> sensor_at(const Trajectory& trajectory, const Eigen::Vector3d& origin, double time) {
-  try {
-    return (trajectory.at(time).translation() - origin).cast<float>();
-  } catch (const Error&) {
-    return std::nullopt;  // a point outside the trajectory's time has no ray
-  }
-}
 
 class Survey {
  public:
@@ -74,32 +60,24 @@ class Survey {
     put_back_repeated(priors);
     accept();
     label();
-    summarise();
+    report_survey(
+        out_,
+        {layer_.size(), circles_, tried_, rays_.has_sensor(), fits_along_rays(rays_, options_), moved_m_, noise_m_},
+        options_);
     return std::move(out_);
   }
 
   std::vector<StemEvidence> evidence() {
     take_sensor();
     search();
-    std::vector<StemEvidence> out;
-    for (const auto& s : fitted_) {
-      if (objection(s, options_)) continue;
-      auto& e = out.emplace_back();
-      e.at = (points_.origin + s.breast_height).head<2>();
-      if (s.drift.target.size() > 0) e.drift = drift_likelihoods(s.drift);
-      if (tells_range_offset(s)) e.range_offset = s.range_offset;
-      if (s.along_rays) e.noise_m = s.noise_m;
-    }
-    return out;
+    return evidence_of(fitted_, options_, points_.origin);
   }
 
  private:
   void take_sensor() {
-    options_ = with_sensor(options_, input_.facts, options_.model != FitModel::surface && knows_sensor(), out_.report);
+    options_ = with_sensor(options_, input_.facts,
+                           options_.model != FitModel::surface && knows_sensor(input_, trajectory_), out_.report);
   }
-
-  // Rays that all come from one side cannot tell their offset from the place of the stem.
-  static bool tells_range_offset(const Stem& s) { return s.range_offset.sd_m > 0 && s.arc_rad > all_round_rad; }
 
   // Stems by their first fits, and what they say together.
   ProjectPriors search() {
@@ -110,19 +88,20 @@ class Survey {
     fit_all(priors);
     test_rays();
     retry_displaced(priors);
-    pooled_ == nullptr ? learn(priors) : take_pooled(priors);
+    if (pooled_ == nullptr)
+      learn_priors(fitted_, options_, moved_m_, priors, out_.report, run_);
+    else
+      take_pooled(*pooled_, options_, moved_m_, priors, out_.report);
     return priors;
   }
 
   // Ranges may scatter by more than the sensor is said to: a scale that is capped too low takes the rims of the scatter
   // for outliers.
   void learn_noise() {
-    std::vector<double> noise;
-    for (const auto& s : fitted_)
-      if (s.along_rays && !objection(s, options_)) noise.push_back(s.noise_m);
-    if (pooled_ != nullptr) noise.assign(pooled_->noise_m > 0 ? 1 : 0, pooled_->noise_m);
-    if (noise.empty()) return;
-    noise_m_ = upper_median(std::move(noise));
+    auto noise_m = seen_noise_m(fitted_, options_);
+    if (pooled_ != nullptr) noise_m = pooled_->noise_m > 0 ? std::optional(pooled_->noise_m) : std::nullopt;
+    if (!noise_m) return;
+    noise_m_ = *noise_m;
     options_.max_sigma = std::max(options_.max_sigma, cap_by_noise * std::min(noise_m_, max_learnt_noise_m));
     out_.report.metrics["range_noise_seen"] = {100 * noise_m_, Unit::centimetre};
   }
@@ -131,51 +110,13 @@ class Survey {
   // were found all the same. False when there is nothing to gain.
   bool align_passes(const ProjectPriors& priors) {
     if (!priors.learnt || priors.drift.pass_sd_m < min_drift_to_align_m) return false;
-    std::vector<PassSighting> sightings;
-    for (std::size_t k = 0; k < fitted_.size(); ++k) {
-      const auto& s = fitted_[k];
-      if (objection(s, options_) || s.drift.target.size() == 0) continue;
-      const Eigen::Matrix3d to_plan = rotation_between(Eigen::Vector3d::UnitZ(), s.direction);
-      const auto offsets = likeliest_offsets(s.drift, priors.drift);
-      for (std::size_t i = 0; i < std::min(offsets.size(), s.pass_seen.size()); ++i)
-        if (const auto& seen = s.pass_seen[i]; seen.points >= min_sighting)
-          sightings.push_back({static_cast<int>(k), seen.pass, seen.time_s,
-                               (to_plan * Eigen::Vector3d(offsets[i].x(), offsets[i].y(), 0)).head<2>()});
-    }
-    const PassAlignment alignment(sightings);
+    const PassAlignment alignment(pass_sightings(fitted_, priors.drift, options_));
     if (alignment.rms_m() < min_drift_to_align_m / 3) return false;
-    if (!points_.has(arrays::sensor_x) && rays_.has_sensor()) add_sensors();
+    if (!points_.has(arrays::sensor_x) && rays_.has_sensor()) add_sensor_columns(points_, sensor_of_point(), run_);
     points_ = aligned(points_, alignment, run_);
     alignments_.push_back(alignment), moved_m_ = std::hypot(moved_m_, alignment.rms_m());
     if (alignments_.size() == 1) options_.range_bias = std::hypot(options_.range_bias, unknown_once_aligned_m);
     return true;
-  }
-
-  // What a person sees of the passes in the cloud as it is: the displacements taken out and those that were left.
-  void restore_spread(Stem& s) const {
-    std::vector<Eigen::Vector2d> offset;
-    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-    for (std::size_t i = 0; i < std::min(s.pass_offset.size(), s.pass_seen.size()); ++i) {
-      const auto& seen = s.pass_seen[i];
-      if (seen.points < min_sighting) continue;
-      offset.push_back(s.pass_offset[i]);
-      for (const auto& a : alignments_) offset.back() += a.at(seen.pass, seen.time_s);
-      mean += offset.back();
-    }
-    for (const auto& o : offset)
-      s.pass_spread_m = std::max(s.pass_spread_m, (o - mean / static_cast<double>(offset.size())).norm());
-  }
-
-  // From the trajectory, so that they move with the points.
-  void add_sensors() {
-    const auto sensor_of = sensor_of_point();
-    std::vector<float> x(points_.size()), y(x.size()), z(x.size());
-    for_each_point(x.size(), [&](std::size_t i) {
-      const auto s = sensor_of(i).value_or(Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
-      x[i] = s.x(), y[i] = s.y(), z[i] = s.z();
-    });
-    points_.set_column(arrays::sensor_x, std::move(x)), points_.set_column(arrays::sensor_y, std::move(y)),
-        points_.set_column(arrays::sensor_z, std::move(z));
   }
 
   void detect() {
@@ -194,40 +135,7 @@ class Survey {
            w.points,
            fmt::format("seen as a circle at {} heights only ({:.1f} to {:.1f} m); min_sections is {}", w.sections,
                        w.lowest, w.highest, options_.min_sections)});
-    gather_rays();
-  }
-
-  bool has_sensor_columns() const {
-    return points_.has(arrays::sensor_x) && points_.has(arrays::sensor_y) && points_.has(arrays::sensor_z);
-  }
-  bool has_path() const { return trajectory_ && trajectory_->poses.size() >= 2 && points_.has(arrays::time); }
-  bool knows_sensor() const { return has_sensor_columns() || has_path(); }
-
-  void gather_rays() {
-    rays_ = {};
-    rays_.time = column_or_null<double>(points_, arrays::time);
-    rays_.pass = column_or_null<std::int32_t>(points_, arrays::pass);
-    if (has_sensor_columns()) {
-      rays_.sensor_x = &points_.values<float>(arrays::sensor_x),
-      rays_.sensor_y = &points_.values<float>(arrays::sensor_y),
-      rays_.sensor_z = &points_.values<float>(arrays::sensor_z);
-    } else if (has_path()) {
-      const Eigen::Vector3f unknown = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
-      rays_.sensor.assign(layer_.size(), unknown);
-      for_each_point(layer_.size(), [&](std::size_t k) {
-        if (const auto s = sensor_at(*trajectory_, points_.origin, (*rays_.time)[layer_.index[k]]))
-          rays_.sensor[k] = *s;
-      });
-    }
-  }
-
-  template <class F>
-  void for_each_point(std::size_t n, F&& f) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 1 << 14), [&](const auto& block) {
-      if (run_.cancelled()) return;
-      for (auto i = block.begin(); i != block.end(); ++i) f(i);
-    });
-    run_.check_cancel();
+    rays_ = rays_of(points_, trajectory_, layer_, run_);
   }
 
   // Calls f(i) in threads for i below n, in batches: progress comes from this thread alone, between them.
@@ -247,22 +155,18 @@ class Survey {
   // Where a candidate turned out to be no stem, what it had left no room for gets its chance.
   void retry_displaced(const ProjectPriors& priors) {
     std::vector<SlabCircle> circles;
-    auto no_stems = candidates_of_no_stem();
-    no_stems.insert(no_stems.end(), unfitted_.begin(), unfitted_.end());
-    for (const auto& c : no_stems) circles.insert(circles.end(), c.displaced.begin(), c.displaced.end());
+    const auto give_back = [&](const StemCandidate& c) {
+      circles.insert(circles.end(), c.displaced.begin(), c.displaced.end());
+    };
+    for (const auto& s : fitted_)
+      if (hopeless(s)) give_back(s.candidate);
+    std::ranges::for_each(unfitted_, give_back);
     candidates_ = link_circles(circles, options_, run_).stems;
     if (candidates_.empty()) return;
     auto before = std::exchange(fitted_, {});
     fit_all(priors), test_rays();
     std::ranges::move(fitted_, std::back_inserter(before));
     fitted_ = std::move(before);
-  }
-
-  std::vector<StemCandidate> candidates_of_no_stem() const {
-    std::vector<StemCandidate> out;
-    for (const auto& s : fitted_)
-      if (hopeless(s)) out.push_back(s.candidate);
-    return out;
   }
 
   void fit_all(const ProjectPriors& priors) {
@@ -292,7 +196,7 @@ class Survey {
   void drop_repeated() {
     std::ranges::stable_sort(fitted_, by_score);
     repeated_ = take_repeated(fitted_, [&](const Stem& s) { return hopeless(s); });
-    for (auto& r : repeated_) note_fork(fitted_[r.better], r.stem.candidate);
+    for (auto& r : repeated_) note_fork(fitted_[r.better], r.stem.candidate, breast_height_);
   }
 
   // Unless the better one turned out to be no stem.
@@ -330,52 +234,13 @@ class Survey {
     });
   }
 
-  // Empirical Bayes: what all stems share is the prior of a second round.
-  void learn(ProjectPriors& priors) {
-    std::vector<const DriftEvidence*> drift;
-    std::vector<RangeOffsetEvidence> offsets;
-    for (const auto& s : fitted_) {
-      if (objection(s, options_)) continue;
-      if (s.drift.target.size() > 0) drift.push_back(&s.drift);
-      if (tells_range_offset(s)) offsets.push_back(s.range_offset);
-    }
-    const bool tells_offset = !offsets.empty() && options_.estimate_range_offset;
-    priors.learnt = !drift.empty() || !offsets.empty();
-    if (!drift.empty()) priors.drift = likeliest_drift(drift, run_);
-    if (tells_offset) priors.range_offset = mean_range_offset(std::move(offsets), options_.range_offset_sd);
-    tell_priors(priors, !drift.empty(), tells_offset);
-  }
-
-  void take_pooled(ProjectPriors& priors) {
-    const bool takes_offset = pooled_->range_offset && options_.estimate_range_offset;
-    if (pooled_->drift) priors.drift = *pooled_->drift;
-    if (takes_offset) priors.range_offset = *pooled_->range_offset;
-    tell_priors(priors, pooled_->drift.has_value(), takes_offset);
-    priors.learnt = pooled_->drift || pooled_->range_offset;
-    if (pooled_->drift && pooled_->drift->pass_sd_m >= min_drift_to_align_m)
-      out_.report.find(
-          Severity::look, "passes_not_aligned",
-          fmt::format("passes of the walk disagree by {:.1f} cm. In a part of a cloud they are not brought "
-                      "together: diameters are of all passes as they lie",
-                      100 * pooled_->drift->pass_sd_m));
-  }
-
-  void tell_priors(const ProjectPriors& priors, bool drift, bool range_offset) {
-    if (drift) {
-      out_.report.metrics["drift_between_passes"] = {100 * std::hypot(priors.drift.pass_sd_m, moved_m_),
-                                                     Unit::centimetre};
-      out_.report.metrics["drift_between_views"] = {100 * priors.drift.view_sd_m, Unit::centimetre};
-    }
-    if (range_offset) out_.report.metrics["range_offset"] = {100 * priors.range_offset.mean_m, Unit::centimetre};
-  }
-
   void accept() {
     std::ranges::stable_sort(fitted_, by_score);
     for (auto& s : fitted_) {
       auto why = objection(s, options_);
       if (!why)
-        if (auto* twin = twin_of(s)) {
-          note_fork(*twin, s.candidate);
+        if (auto* twin = twin_of(s, out_.stems)) {
+          note_fork(*twin, s.candidate, breast_height_);
           why = same_stem_as(*twin);
         }
       if (why)
@@ -384,35 +249,11 @@ class Survey {
         out_.stems.push_back(std::move(s));
     }
     if (!alignments_.empty())
-      for (auto& s : out_.stems) restore_spread(s);
+      for (auto& s : out_.stems) restore_spread(s, alignments_);
     for (auto& s : out_.stems)
       if (std::isfinite(s.fork_m)) s.reasons.push_back(fmt::format("forks at about {:.1f} m: counted once", s.fork_m));
     check_ground(out_.stems, points_, breast_height_, run_, out_.report);
-    number();
-  }
-
-  // Circles above breast height that stand beside the stem they join below: its limbs.
-  void note_fork(Stem& trunk, const StemCandidate& limb) const {
-    constexpr double above_m = 0.25;
-    constexpr int min_limb_sections = 4;  // twigs make a circle or three
-    if (limb.sections < min_limb_sections || limb.lowest < breast_height_ + above_m || limb.radius < 0.3 * trunk.radius)
-      return;
-    const double z = limb.ground_z + 0.5 * (limb.lowest + limb.highest);
-    const Eigen::Vector2d at_limb =
-        Eigen::Vector2d(limb.x, limb.y) + (z - limb.z) * Eigen::Vector2d(limb.slope_x, limb.slope_y);
-    const Eigen::Vector2d at_trunk =
-        (trunk.breast_height + (z - trunk.breast_height.z()) / trunk.direction.z() * trunk.direction).head<2>();
-    if ((at_limb - at_trunk).norm() < 0.5 * trunk.radius) return;
-    trunk.fork_m = std::isnan(trunk.fork_m) ? limb.lowest : std::min(trunk.fork_m, limb.lowest);
-  }
-
-  // Two stems of a fork touch at most; what overlaps a better stem by more is part of it.
-  Stem* twin_of(const Stem& s) {
-    for (auto& o : out_.stems)
-      if ((o.breast_height - s.breast_height).head<2>().norm() <
-          o.radius + s.radius - 0.5 * std::min(o.radius, s.radius))
-        return &o;
-    return nullptr;
+    number(out_);
   }
 
   void test_rays() {
@@ -425,28 +266,7 @@ class Survey {
     }
   }
 
-  // Null when no sensor positions are known.
-  SensorOf sensor_of_point() const {
-    if (!rays_.has_sensor()) return {};
-    return [this](std::size_t i) -> std::optional<Eigen::Vector3f> {
-      if (rays_.sensor_x) {
-        const Eigen::Vector3f s((*rays_.sensor_x)[i], (*rays_.sensor_y)[i], (*rays_.sensor_z)[i]);
-        return s.allFinite() ? std::optional(s) : std::nullopt;
-      }
-      return sensor_at(*trajectory_, points_.origin, (*rays_.time)[i]);
-    };
-  }
-
-  void number() {
-    std::ranges::sort(out_.stems, [](const Stem& a, const Stem& b) {
-      return std::pair(-a.breast_height.y(), a.breast_height.x()) <
-             std::pair(-b.breast_height.y(), b.breast_height.x());
-    });
-    for (std::size_t i = 0; i < out_.stems.size(); ++i) out_.stems[i].id = static_cast<int>(i) + 1;
-    std::ranges::sort(out_.rejected, [](const RejectedStem& a, const RejectedStem& b) {
-      return std::pair(-a.position.y(), a.position.x()) < std::pair(-b.position.y(), b.position.x());
-    });
-  }
+  SensorOf sensor_of_point() const { return sensor_of_points(rays_, points_, trajectory_); }
 
   void label() {
     run_.report(0.85, "points of each tree");
@@ -462,50 +282,6 @@ class Survey {
     out_.points = input_;
     out_.points.set_column(arrays::tree_id, std::move(labels.tree_id));
     out_.points.set_column(arrays::stem, std::move(labels.stem));
-  }
-
-  void summarise() {
-    auto& r = out_.report;
-    r.counts["stems"] = static_cast<std::int64_t>(out_.stems.size());
-    r.counts["rejected"] = static_cast<std::int64_t>(out_.rejected.size());
-    r.counts["candidates"] = static_cast<std::int64_t>(tried_);
-    r.counts["circles"] = static_cast<std::int64_t>(circles_);
-    r.facts["axes"] = axes_name(points_.axes);
-    r.facts["fit"] = fits_along_rays(rays_, options_) ? "along rays" : "surface distance";
-    const auto to_check = std::ranges::count(out_.stems, "check", &Stem::state);
-    r.message =
-        fmt::format("{} stems, {} to check, {} candidates rejected", out_.stems.size(), to_check, out_.rejected.size());
-    if (options_.model == FitModel::ray && !rays_.has_sensor())
-      r.warn(
-          "model is 'ray' but no sensor position is known: the surface distance was used. Give sensor_x, sensor_y, "
-          "sensor_z, or time with a trajectory");
-    if (out_.stems.empty()) r.find(Severity::look, "no_stems", no_stems());
-    if (moved_m_ > 0) {
-      r.metrics["passes_moved"] = {100 * moved_m_, Unit::centimetre};
-      r.warn(fmt::format("passes of the walk disagree by {:.1f} cm: they were brought together by the stems",
-                         100 * moved_m_));
-    }
-    judge_bark(out_.stems, options_, fits_along_rays(rays_, options_), noise_m_, r);
-  }
-
-  std::string no_stems() const {
-    if (layer_.size() == 0)
-      return fmt::format(
-          "no stem found: no point lies {:.1f} to {:.1f} m above ground; set search_bottom and search_top to heights "
-          "that the cloud has",
-          options_.search_bottom, options_.search_top);
-    if (circles_ == 0)
-      return fmt::format(
-          "no stem found: {} points between {:.1f} and {:.1f} m, but no circle of {:.0f} deg among them; lower min_arc "
-          "or min_dbh, or change the search heights",
-          layer_.size(), options_.search_bottom, options_.search_top, options_.min_arc_deg);
-    if (tried_ == 0) {
-      return fmt::format(
-          "no stem found: {} circles, none of them at min_sections = {} heights above one another; lower it, or widen "
-          "search_bottom to search_top",
-          circles_, options_.min_sections);
-    }
-    return fmt::format("no stem found: all {} candidates were rejected; the table 'rejected' says why", tried_);
   }
 
   const PointCloud& input_;
