@@ -17,7 +17,7 @@ std::vector<Finding> findings_of(const StageRecord& stage) {
   for (const auto& warning : report.warnings)
     if (!is_finding(report, warning)) all.push_back({"warning", Severity::note, warning});
   if (report.status == Status::finished_early)
-    all.push_back({finding_code::finished_early, Severity::look, "ended early on request: the result is not complete"});
+    all.push_back({finding_code::finished_early, Severity::look, "ended early: the result is not complete"});
   return all;
 }
 

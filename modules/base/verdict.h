@@ -36,7 +36,7 @@ std::string_view severity_name(Severity severity);  // "note", "look", "refused"
 std::string_view verdict_name(Verdict verdict);     // "sign", "look", "refused"
 
 // The worst finding decides. A warning that is no finding is listed as a note with the code "warning". A stage that
-// ended early on request is a finding with the code "finished_early", to be looked at.
+// ended early is a finding with the code "finished_early", to be looked at.
 Judgement judge(const std::vector<StageRecord>& stages);
 
 }  // namespace base

@@ -28,6 +28,7 @@ TEST(Robustness, ALostTrackEndsTheMapAndSaysWhere) {
   const auto result = run_slam(source, with_preset(Preset::best), {});
   EXPECT_EQ(result.report.status, Status::finished_early);
   EXPECT_EQ(result.report.facts.at("lost_at_frame"), "12");
+  EXPECT_TRUE(has_finding(result.report, "track_lost"));
   EXPECT_EQ(result.report.counts.at("frames"), 12);
   EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("lost at frame 12")));
   EXPECT_GT(result.points.size(), 1000u);
