@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "base/verdict.h"
 #include "modules/slam/walks.h"
 #include "slam/core/slam.h"
 

@@ -102,9 +102,10 @@ std::string found_again_text(const Odometry& odometry) {
 void report_lost(const Odometry& odometry, const FrameWarnings& warnings, Report& report) {
   const auto& first = odometry.frames()[odometry.frames().size() - odometry.failed_in_a_row()];
   report.status = Status::finished_early;
-  report.find(Severity::look, "track_lost", "the track was lost at frame " + std::to_string(first.index) + ", " +
-                            seconds_text(warnings.since_start_s(first.index)) +
-                            " after the start: " + odometry.why_failed() + ". The map ends there");
+  report.find(Severity::look, "track_lost",
+              "the track was lost at frame " + std::to_string(first.index) + ", " +
+                  seconds_text(warnings.since_start_s(first.index)) + " after the start: " + odometry.why_failed() +
+                  ". The map ends there");
   report.facts["lost_at_frame"] = std::to_string(first.index);
 }
 
