@@ -145,6 +145,7 @@ class RunningTest : public QObject {
 
   void cancel_in_the_middle_leaves_all_as_it_was() {
     QSignalSpy began(&walk(), &WalkPanel::live_began), ended(&runner(), &Runner::job_ended);
+    const auto points_before = window_->scene().drawn_points();  // of the first frame
     window_->run();
     QVERIFY(began.wait(30000));
     QTRY_VERIFY(walk().live().keyframes().size() >= 2);
@@ -154,7 +155,8 @@ class RunningTest : public QObject {
     QVERIFY(ended.wait(10000));
     QVERIFY2(clock.elapsed() < 2000, qPrintable(QString::number(clock.elapsed())));
     QCOMPARE(int(runner().jobs().back()->state), int(JobState::cancelled));
-    QVERIFY(!window_->scene().has_survey());
+    QVERIFY(runner().survey().empty());
+    QCOMPARE(window_->scene().drawn_points(), points_before);
     QVERIFY(!runner().running());
   }
 

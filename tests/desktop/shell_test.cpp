@@ -204,14 +204,15 @@ class ShellTest : public QObject {
   void the_sheet_of_keys_is_made_from_the_commands() {
     MainWindow window;
     const auto lines = shortcut_lines(window);
-    QStringList keys;
+    QStringList keys, alone;  // a key may mean another thing in another panel
     for (const auto& line : lines) {
       QVERIFY2(!line.menu.isEmpty() && !line.text.isEmpty(), qPrintable(line.key));
-      keys << line.key;
+      keys << line.menu + ": " + line.key;
+      alone << line.key;
     }
     for (const auto& entry : window.commands().entries())
       if (!entry->command.key.isEmpty())
-        QVERIFY2(keys.contains(entry->command.key.toString(QKeySequence::NativeText)), qPrintable(entry->command.id));
+        QVERIFY2(alone.contains(entry->command.key.toString(QKeySequence::NativeText)), qPrintable(entry->command.id));
     QCOMPARE(keys.removeDuplicates(), 0);
     window.show();
     QApplication::setActiveWindow(&window);

@@ -1892,6 +1892,34 @@
             <source>Match frames</source>
             <translation>匹配帧数</translation>
         </message>
+        <message>
+            <source>Files</source>
+            <translation>文件</translation>
+        </message>
+        <message>
+            <source>Tile</source>
+            <translation>分块</translation>
+        </message>
+        <message>
+            <source>Buffer</source>
+            <translation>缓冲区</translation>
+        </message>
+        <message>
+            <source>Shift x</source>
+            <translation>x 平移</translation>
+        </message>
+        <message>
+            <source>Shift y</source>
+            <translation>y 平移</translation>
+        </message>
+        <message>
+            <source>Breast height</source>
+            <translation>胸高</translation>
+        </message>
+        <message>
+            <source>Core</source>
+            <translation>核心区</translation>
+        </message>
 </context>
     <context>
         <name>option help</name>
@@ -3975,6 +4003,50 @@
             <source>Largest difference between the frames of an edit and those of the loop closure that it means.</source>
             <translation>编辑所给的帧与所指回环的帧之间的最大差。</translation>
         </message>
+        <message>
+            <source>Point cloud to cut: LAS, LAZ or COPC files of one cloud, separated by commas.</source>
+            <translation>要切分的点云:同一点云的 LAS、LAZ 或 COPC 文件,用逗号分隔。</translation>
+        </message>
+        <message>
+            <source>Side of the core of a tile. Larger tiles repeat fewer points and take more memory.</source>
+            <translation>分块核心区的边长。分块越大,重复的点越少,占用的内存越多。</translation>
+        </message>
+        <message>
+            <source>Width of the strip around a core whose points belong to the tile too. It should be wider than a crown.</source>
+            <translation>核心区周围同样属于该分块的带宽。应宽于树冠。</translation>
+        </message>
+        <message>
+            <source>Shift of the grid of tiles to the east. Cores begin at multiples of tile plus this.</source>
+            <translation>分块网格向东的平移。核心区从 tile 的整数倍加上此值处开始。</translation>
+        </message>
+        <message>
+            <source>Shift of the grid of tiles to the north.</source>
+            <translation>分块网格向北的平移。</translation>
+        </message>
+        <message>
+            <source>Height above ground at which diameters are measured, noted in the tiles. auto: as the files say, else 1.3 m.</source>
+            <translation>测量直径的离地高度,记入各分块。自动(auto):按文件所记,否则 1.3 m。</translation>
+        </message>
+        <message>
+            <source>Raster to read: GeoTIFF with square cells, or a GDAL VRT of several (.vrt).</source>
+            <translation>要读取的栅格:单元为正方形的 GeoTIFF,或由多个组成的 GDAL VRT(.vrt)。</translation>
+        </message>
+        <message>
+            <source>Part to read: xmin,ymin,xmax,ymax in the coordinates of the file. Empty: all.</source>
+            <translation>要读取的部分:文件坐标中的 xmin,ymin,xmax,ymax。留空:全部。</translation>
+        </message>
+        <message>
+            <source>Core of the tile: xmin,ymin,xmax,ymax. Terrain and points outside of it are left to the tiles beside. Empty: everything.</source>
+            <translation>分块的核心区:xmin,ymin,xmax,ymax。其外的地形和点归相邻分块。留空:全部。</translation>
+        </message>
+        <message>
+            <source>Write the points with all their columns: cloud.laz.</source>
+            <translation>写出带全部列的点:cloud.laz。</translation>
+        </message>
+        <message>
+            <source>Standard deviation expected of the range offset, as in stems.measure. A larger value lets the stems say more.</source>
+            <translation>预期的测距偏移标准差,与 stems.measure 相同。值越大,树干自身的影响越大。</translation>
+        </message>
 </context>
     <context>
         <name>choices</name>
@@ -4868,6 +4940,10 @@
         <message>
             <source>copc</source>
             <translation>COPC</translation>
+        </message>
+        <message>
+            <source>gravity</source>
+            <translation>重力</translation>
         </message>
 </context>
 </TS>

@@ -231,6 +231,34 @@
             <source>Edit loop closures</source>
             <translation>编辑回环</translation>
         </message>
+        <message>
+            <source>Evaluate rows</source>
+            <translation>评价行</translation>
+        </message>
+        <message>
+            <source>Cut a cloud into tiles</source>
+            <translation>将点云切成分块</translation>
+        </message>
+        <message>
+            <source>Read a raster</source>
+            <translation>读取栅格</translation>
+        </message>
+        <message>
+            <source>Write a tile</source>
+            <translation>写出分块</translation>
+        </message>
+        <message>
+            <source>Evidence of the stems</source>
+            <translation>树干的证据</translation>
+        </message>
+        <message>
+            <source>Pool the priors</source>
+            <translation>汇总先验</translation>
+        </message>
+        <message>
+            <source>Renumber trees</source>
+            <translation>重新编号树木</translation>
+        </message>
 </context>
     <context>
         <name>stage help</name>
@@ -497,6 +525,34 @@
         <message>
             <source>Applies what a person decided about loop closures: accept one that was refused, or strike one out, by the frames of the scan, each with author, time and reason. The pose graph is solved again with the odometry as it was, and trajectory and map move with it: no frame is read again. The final adjustment is carried along, not repeated. A loop accepted by hand is held whatever the others say. The edits are kept in the pipeline and applied after every run. An edit that no longer fits is a conflict: it changes nothing and is listed. Without edits everything passes through unchanged.</source>
             <translation>应用人员对回环的决定:接受被拒绝的回环,或剔除错误的回环;以扫描的帧指明,每项带作者、时间和理由。里程计保持不变,重新求解位姿图,轨迹和地图随之移动,不再读取任何帧。最终平差随之移动,不重新计算。人工接受的回环始终保留,不论其他回环如何。编辑保存在处理流程中,每次运行后都会应用。不再适用的编辑视为冲突:不作任何改变,并列出。没有编辑时一切原样通过。</translation>
+        </message>
+        <message>
+            <source>Separates ground from vegetation, makes a terrain model (DEM) and gives every point its height above it. The lowest groups of points of small cells are taken into a triangulation step by step; then a robust plane is fitted to the band of ground points around each cell, so that the model runs through the middle of the band and not along its lower edge or the top of the grass. Cells without ground points are interpolated and marked in dem_filled; further than fill_distance from any ground point the model has no value and points there have no height (NaN). Where a terrain is connected, heights are counted from that.</source>
+            <translation>将地面与植被分离,生成地形模型(DEM),并给出每个点的离地高度。小单元中最低的点组逐步加入三角网;随后在每个单元周围的地面点带中稳健拟合平面,使模型穿过点带中部,而不是沿其下缘或草顶。没有地面点的单元经插值得到,并在 dem_filled 中标记;离任何地面点超过 fill_distance 处模型没有值,那里的点没有高度(NaN)。连接了地形时,高度从该地形算起。</translation>
+        </message>
+        <message>
+            <source>Cuts a cloud of any size into overlapping files, one for each tile, and writes them with a list, tiles.csv, into the output folder. Points keep all their fields and their order. Each file says where the whole cloud begins and how dense it is, so that terrain and stems of a tile are searched in the same cells as in the whole.</source>
+            <translation>将任意大小的点云切成相互重叠的文件,每个分块一个,并连同清单 tiles.csv 写入输出文件夹。点保留全部字段和顺序。每个文件记录整个点云从何处开始、有多密,使分块中的地形和树干在与整体相同的单元中查找。</translation>
+        </message>
+        <message>
+            <source>Reads a raster, for instance a terrain model that was made before. Cells without a value are missing values.</source>
+            <translation>读取栅格,例如先前生成的地形模型。没有值的单元为缺失值。</translation>
+        </message>
+        <message>
+            <source>Writes the results of one tile of a cloud as files that fit those of the tiles beside it: tables of all stems that were measured, also in the buffer, terrain and points of the core alone.</source>
+            <translation>将点云一个分块的结果写成与相邻分块相接的文件:所有测得树干的表(包括缓冲区内的),以及仅限核心区的地形和点。</translation>
+        </message>
+        <message>
+            <source>The first look of stems.measure, with the same options: finds stems and gives for each what it says about the errors that all stems share (spread of passes and views, range offset, noise of the ranges). Run it on parts of a cloud, and pool the rows of all parts with stems.pool_priors.</source>
+            <translation>stems.measure 的第一步,选项相同:查找树干,并给出每株对所有树干共有误差(各趟与各视角的离散、测距偏移、测距噪声)的信息。对点云的各部分运行,再用 stems.pool_priors 汇总各部分的行。</translation>
+        </message>
+        <message>
+            <source>Puts together what stems say in several parts of a cloud: the spread of passes and views that makes the evidence of all likeliest, the mean range offset and the middle noise. stems.measure takes the row in place of what it would learn from its own stems.</source>
+            <translation>汇总点云若干部分中树干给出的信息:使全部证据最可能的各趟与各视角离散、平均测距偏移和噪声中位数。stems.measure 用这一行代替从自身树干学到的值。</translation>
+        </message>
+        <message>
+            <source>Gives the points of a part of a cloud the tree ids of the whole: the table says which number each tree of the part gets. Points of trees that it does not list belong to no tree.</source>
+            <translation>给点云一部分的点赋予整体的树号:表中说明该部分每株树得到的编号。未列出的树的点不属于任何树。</translation>
         </message>
 </context>
 </TS>

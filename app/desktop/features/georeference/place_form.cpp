@@ -56,7 +56,7 @@ PlaceForm::PlaceForm(Workbench& bench)
     residuals_.reset();
     table_->setRowCount(0);
     file_.clear();
-    said_->clear();
+    say({});
     show_document();
   });
   connect(&bench_.session(), &Session::document_replaced, this, &PlaceForm::show_document);
@@ -66,6 +66,11 @@ PlaceForm::PlaceForm(Workbench& bench)
 
 QString PlaceForm::said() const { return said_->text(); }
 
+void PlaceForm::say(const QString& text) {
+  said_->setText(text);
+  said_->setVisible(!text.isEmpty());
+}
+
 void PlaceForm::make_widgets() {
   system_->setObjectName("control_system");
   system_->setPlaceholderText("EPSG:25832");
@@ -73,6 +78,7 @@ void PlaceForm::make_widgets() {
   system_->setMaximumWidth(18 * system_->fontMetrics().averageCharWidth());
   said_->setObjectName("control_said");
   said_->setWordWrap(true);
+  said_->hide();  // until there is something to say
   said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   apply_->setObjectName("control_apply");
   apply_->setText(tr("Give the plot this place"));
@@ -82,11 +88,14 @@ void PlaceForm::make_widgets() {
   label->setBuddy(system_);
   line->addWidget(label);
   line->addWidget(system_);
+  line->addStretch(1);
+  line->addWidget(apply_);
+  auto* buttons = new QHBoxLayout;
   const auto add = [&](const QString& text, const QString& tip, const std::function<void()>& act) {
     auto* button = new QPushButton(text, this);
     button->setToolTip(tip);
     connect(button, &QPushButton::clicked, this, [this, act] { bench_.guarded(act); });
-    line->addWidget(button);
+    buttons->addWidget(button);
   };
   add(tr("Add a point"), tr("Ctrl+V in the table pastes rows of a spreadsheet"), [this] { table_->add_point(); });
   add(tr("Remove"), tr("The selected points"), [this] { table_->remove_points(); });
@@ -97,11 +106,11 @@ void PlaceForm::make_widgets() {
   });
   add(tr("Centre and compass…"), tr("One point and a bearing instead: the options of the stage"),
       [this] { show_stage_options(); });
-  line->addStretch(1);
-  line->addWidget(apply_);
+  buttons->addStretch(1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(2, 2, 2, 2);
   layout->addLayout(line);
+  layout->addLayout(buttons);
   layout->addWidget(said_);
   layout->addWidget(table_, 1);
 }
@@ -137,7 +146,7 @@ void PlaceForm::show_document() {
   try {
     table_->show_points(io::read_table(file.toStdString()));
   } catch (const Error& e) {
-    said_->setText(QString::fromUtf8(e.what()));
+    say(QString::fromUtf8(e.what()));
   }
 }
 
@@ -159,7 +168,7 @@ void PlaceForm::take(const vtkbridge::RunOutcome& outcome, const Results& result
     if (stage.record.id != node->id) continue;
     QStringList lines{QString::fromStdString(stage.error.empty() ? stage.record.report.message : stage.error)};
     for (const auto& warning : stage.record.report.warnings) lines << QString::fromStdString(warning);
-    said_->setText(lines.join('\n'));
+    say(lines.join('\n'));
   }
   table_->show_residuals(residuals_.get());
   table_->resizeColumnsToContents();

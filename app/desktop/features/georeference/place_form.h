@@ -38,6 +38,7 @@ class PlaceForm : public QWidget {
   void show_stage_options();
   void draw();
   QString new_file(const std::string& content) const;
+  void say(const QString& text);
 
   Workbench& bench_;
   ControlTable* table_;
