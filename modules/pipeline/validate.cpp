@@ -105,8 +105,8 @@ void check_options(const StageNode& node, std::vector<Problem>& problems) {
     // The file of a reader is what it is for; other paths may stay empty.
     if (spec.text_kind == TextKind::input_path && option_text(value).empty() && node.type->inputs.empty() &&
         spec.tier == Tier::basic && !node.from_memory)
-      problems.push_back({node.id, "option " + spec.name + " is empty; needed: " + spec.help + " Set " + node.id + "." +
-                                       spec.name + " to a path"});
+      problems.push_back({node.id, "option " + spec.name + " is empty; needed: " + spec.help +
+                                       " Set it to a path (--set " + node.id + "." + spec.name + "=PATH)"});
   }
 }
 
