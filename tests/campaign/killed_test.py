@@ -81,7 +81,7 @@ class Killed(Toy):
     def freeze(self, input_id):
         """Stops the program that works on an input once it writes, so that it cannot end by itself. Its process id."""
         folder = self.out / "tasks" / input_id
-        self.assertTrue(self.wait_for(lambda: any("bole-" in p.name for p in folder.rglob("*")) if folder.exists() else False), "nothing is written")
+        self.assertTrue(self.wait_for(lambda: any("bole-" in p.name for p in folder.rglob("*")) if folder.exists() else False, every_s=0.001), "nothing is written")
         table = f"stems.file={self.folder}/trees{input_id[1:]}.csv"
         program = next(p for p, arguments in self.processes_of("--no-cache").items() if table in arguments)
         os.kill(program, signal.SIGSTOP)

@@ -120,12 +120,12 @@ class Toy(unittest.TestCase):
         self.assertTrue(self.wait_for(lambda: not self.processes_of("run")), "processes outlived their client")
 
     @staticmethod
-    def wait_for(what, seconds=30.0):
+    def wait_for(what, seconds=30.0, every_s=0.02):
         until = time.monotonic() + seconds
         while time.monotonic() < until:
             if value := what():
                 return value
-            time.sleep(0.02)
+            time.sleep(every_s)
         return what()
 
     def fake_program(self, text):

@@ -75,7 +75,7 @@ class CtrlC(unittest.TestCase):
     def test_finish_keeps_what_there_is(self):
         scan = self.out.parent / "scan"
         subprocess.run([plot.PROGRAM, "simulate", "--sensor=vlp16", "--max-time=8", f"--out={scan}"], check=True, capture_output=True)
-        last, _ = self.interrupted("slam", "finish", scan / "walk.pcap", 0.5)
+        last, _ = self.interrupted("slam", "finish", scan / "walk.pcap", 0.1)
         self.assertEqual(last, "PartialOutput 4 True True")
         self.assertTrue((self.out / "FINISHED_EARLY.txt").is_file())
 
