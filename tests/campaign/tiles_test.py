@@ -91,7 +91,7 @@ class Tiles(Toy):
         self.expect_whole(self.merged())
 
     def test_a_client_that_is_killed_costs_time_and_nothing_else(self):
-        self.tiled(cloud_files=False)
+        self.tiled(tile_m=1.5 * TILE_M, cloud_files=False)
         for seconds in (1.0, 6.0):
             client = self.start(*LOCAL)
             time.sleep(seconds)
@@ -102,7 +102,7 @@ class Tiles(Toy):
         self.assertTrue(all(n == 1 for n in self.begun()[1].values()), self.begun())
 
     def test_a_job_array_goes_through_the_phases(self):
-        self.tiled(cloud_files=False)
+        self.tiled(tile_m=1.5 * TILE_M, cloud_files=False)
         for _ in range(2):  # cut; terrain of the first tile
             self.run_all("--task", "1")
         tiles = len(rows_of(self.out / "tasks" / "cut" / "done" / "tiles.csv"))
