@@ -5,12 +5,13 @@
 
 Every scanner walks through the plot as `bole simulate` does it, with an inertial unit of consumer grade where it is a
 rosette (Livox) or where --imu says so, and is surveyed by pipelines/forest_plot.json with its presets. Prints error of the
-path, trees found, bias and RMSE of DBH, the share of 95 % intervals that hold, the verdict and milliseconds per frame.
+path, tilt of the plot, trees found, bias and RMSE of DBH, the share of 95 % intervals that hold, the verdict and milliseconds per frame.
 Results of single runs stay in FOLDER, so that an interrupted table goes on where it stopped.
 """
 
 import argparse
 import json
+import math
 import pathlib
 import shutil
 import subprocess
@@ -61,8 +62,28 @@ def line(sensor, runs, sample):
     frames = sum(s["slam"]["counts"]["frames"] for s in stages)
     seconds = sum(s["slam"]["seconds"] for s in stages)
     diameters = "" if not sample.error else f"{mean(sample.error):+.2f} / {rms(sample.error):.2f} | {100 * mean(sample.covered):.0f} % within +-{mean(sample.half):.2f}"
-    return (f"| {sensor} | {100 * mean(ate):.1f} | {sample.trees - sample.missed} of {sample.trees}, {sample.false} false | {diameters or ' | '} | "
+    tilt = mean([tilt_deg(out, scan) for out, scan in runs])
+    return (f"| {sensor} | {100 * mean(ate):.1f} | {tilt:.3f} | {sample.trees - sample.missed} of {sample.trees}, {sample.false} false | {diameters or ' | '} | "
             f"{', '.join(verdicts)} | {1000 * seconds / max(1, frames):.0f} |")
+
+
+def poses(file):
+    """{time to 1 ms: (x, y, z)} of a TUM file."""
+    rows = (row.split() for row in file.read_text(encoding="utf-8").splitlines() if row and not row.startswith("#"))
+    return {round(float(row[0]), 3): tuple(map(float, row[1:4])) for row in rows}
+
+
+def tilt_deg(out, scan):
+    """Slope of the plane through the differences in height of the path and its truth: how far z is off the vertical."""
+    found, truth = poses(out / "trajectory.tum"), poses(scan / "trajectory.tum")
+    rows = [(*truth[t][:2], found[t][2] - truth[t][2]) for t in found.keys() & truth.keys()]
+    if len(rows) < 10:
+        return math.nan
+    x, y, d = (mean(column) for column in zip(*rows))
+    xx, xy, yy, xd, yd = (sum(f(*row) for row in rows) for f in (lambda a, b, c: (a - x) ** 2, lambda a, b, c: (a - x) * (b - y), lambda a, b, c: (b - y) ** 2,
+                                                                lambda a, b, c: (a - x) * (c - d), lambda a, b, c: (b - y) * (c - d)))
+    det = xx * yy - xy * xy
+    return math.degrees(math.hypot((yy * xd - xy * yd) / det, (xx * yd - xy * xd) / det))
 
 
 def main():
@@ -81,7 +102,7 @@ def main():
     options = parser.parse_args()
     options.work = options.work.resolve()
     matching = types.SimpleNamespace(gate=0.5, min_dbh=7.5, list=False)
-    print("| scanner | ATE, cm | found | DBH bias / RMSE, cm | 95 % interval | verdict | SLAM, ms/frame |\n|---|---|---|---|---|---|---|")
+    print("| scanner | ATE, cm | tilt, deg | found | DBH bias / RMSE, cm | 95 % interval | verdict | SLAM, ms/frame |\n|---|---|---|---|---|---|---|---|")
     for sensor in options.sensors.split(","):
         runs = [surveyed(options, sensor, int(seed)) for seed in options.seeds.split(",")]
         sample = Sample()
