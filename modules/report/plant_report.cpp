@@ -14,6 +14,7 @@
 #include "render/charts/plant_charts.h"
 #include "report/core/page_warnings.h"
 #include "report/core/simple_page.h"
+#include "report/figure_rows.h"
 #include "report/report_writer.h"
 #include "report/workbook.h"
 
@@ -27,9 +28,8 @@ const OptionTable& option_table(const PlantReportOptions*) {
           "scene", &S::scene, Tier::basic,
           "Write scene.ply: all points, with the part that each belongs to, beside cloud.ply, which has the "
           "plant alone."},
-      Option<S, double>{
-          "figure_width", &S::figure_width, Unit::millimetre, {60, 800}, Tier::basic, "Width of the figures."},
-      Option<S, double>{"dpi", &S::dpi, Unit::dot_per_inch, {50, 1200}, Tier::basic, "Resolution of the PNG."},
+      figure_width_row<S>(),
+      dpi_row<S>(),
       OnlyIf{"figures", {"true"}, {"figure_width", "dpi"}},
   });
   return table;

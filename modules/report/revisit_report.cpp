@@ -8,6 +8,7 @@
 #include "render/charts/growth_charts.h"
 #include "report/core/page_warnings.h"
 #include "report/core/simple_page.h"
+#include "report/figure_rows.h"
 #include "report/report_writer.h"
 
 namespace bole::report {
@@ -17,9 +18,8 @@ const OptionTable& option_table(const RevisitReportOptions*) {
   static const OptionTable table = make_option_table<S>({
       Option<S, bool>{"figures", &S::figures, Tier::basic,
                       "Draw the map and the growth and write them as PNG, SVG and PDF."},
-      Option<S, double>{
-          "figure_width", &S::figure_width, Unit::millimetre, {60, 800}, Tier::basic, "Width of the figures."},
-      Option<S, double>{"dpi", &S::dpi, Unit::dot_per_inch, {50, 1200}, Tier::basic, "Resolution of the PNG."},
+      figure_width_row<S>(),
+      dpi_row<S>(),
       OnlyIf{"figures", {"true"}, {"figure_width", "dpi"}},
   });
   return table;

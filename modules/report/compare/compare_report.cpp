@@ -13,6 +13,7 @@
 #include "report/compare/compare_tables.h"
 #include "report/core/page_warnings.h"
 #include "report/core/simple_page.h"
+#include "report/figure_rows.h"
 #include "report/report_writer.h"
 #include "report/table_decimals.h"
 
@@ -25,8 +26,7 @@ const OptionTable& option_table(const CompareReportOptions*) {
       Option<S, bool>{"figures", &S::figures, Tier::basic, "Draw the figures and write them as PNG, SVG and PDF."},
       Option<S, bool>{"cloud_figures", &S::cloud_figures, Tier::basic,
                       "Read the clouds of the runs and draw paths and slices on them. This takes the most time."},
-      Option<S, double>{
-          "figure_width", &S::figure_width, Unit::millimetre, {60, 800}, Tier::basic, "Width of the figures."},
+      figure_width_row<S>(),
       Option<S, double>{"dpi", &S::dpi, Unit::dot_per_inch, {50, 1200}, Tier::basic, "Resolution of the PNG files."},
       Option<S, int>{"slices", &S::slices, Unit::none, {1, 24}, Tier::advanced, "Trees whose slices are drawn."},
       Option<S, std::optional<double>>{
