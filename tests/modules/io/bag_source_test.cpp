@@ -214,6 +214,21 @@ TEST(BagSource, CloudsThatAreMissingOrThereTwiceAreCounted) {
   EXPECT_THAT(holes.findings, Contains(testing::Field(&Finding::code, "messages_missing")));
 }
 
+TEST(BagSource, RecordingTimesThatNoClockShowsAreTold) {
+  auto messages = clouds(Wire::ros1, seconds_from_start, {1, rings * columns}, 105'000'000, 12);
+  messages[4].time_ns = std::numeric_limits<std::int64_t>::min();  // 2^63 of the unsigned numbers in the file
+  messages[8].time_ns = -1;
+  Report report;
+  EXPECT_EQ(open_messages(messages, Wire::ros1, report)->size(), 12U);
+  EXPECT_EQ(report.counts.at("untimed_messages"), 2);
+  EXPECT_THAT(report.findings, Contains(testing::Field(&Finding::code, "input_damaged")));
+  EXPECT_EQ(report.counts.at("missing_messages"), 2);
+  messages[4].time_ns = messages[8].time_ns = std::numeric_limits<std::int64_t>::max();
+  Report far;
+  EXPECT_EQ(open_messages(messages, Wire::ros1, far)->size(), 12U);
+  EXPECT_GT(far.counts.at("missing_messages"), 1'000'000);
+}
+
 TEST(BagSource, CutMessagesAreErrorsOrWhatTheyHold) {
   const auto whole = clouds(Wire::cdr_little, [](std::int64_t) { return std::vector<CloudColumn>{}; });
   for (const std::size_t bytes : {0U, 3U, 20U, 90U, 150U}) {

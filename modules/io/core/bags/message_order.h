@@ -10,7 +10,7 @@ namespace bole::io {
 double usual_period_s(const std::vector<BagMessage>& messages);
 
 // Drops messages that are there twice, as in a bag merged with itself: recorded at once, with the same stamp.
-// Reports them, and messages that are missing between others.
+// Reports them, messages that are missing between others, and recording times that cannot be.
 void check_order(const Bag& bag, const BagTopic& topic, std::vector<BagMessage>& messages, const Run& run,
                  Report& report);
 
