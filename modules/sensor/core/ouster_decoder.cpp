@@ -45,9 +45,13 @@ std::uint64_t get(Bytes p, std::size_t at, std::size_t bytes) {
 
 double get_float(Bytes p, std::size_t at) { return std::bit_cast<float>(static_cast<std::uint32_t>(get(p, at, 4))); }
 
-// A time beyond what 64 signed bits hold is damage.
-std::int64_t get_time_ns(Bytes p, std::size_t at) {
-  return static_cast<std::int64_t>(get(p, at, 8) & 0x7FFF'FFFF'FFFF'FFFF);
+// Since the start of the sensor or since 1970. A time beyond the year 2100 is damage; differences of others fit into
+// 64 bits.
+std::optional<std::int64_t> get_time_ns(Bytes p, std::size_t at) {
+  constexpr std::uint64_t max_time_ns = 4'102'444'800'000'000'000;
+  const std::uint64_t time_ns = get(p, at, 8);
+  if (time_ns > max_time_ns) return {};
+  return static_cast<std::int64_t>(time_ns);
 }
 
 }  // namespace
@@ -75,9 +79,11 @@ OusterDecoder::Column OusterDecoder::column(Bytes packet, int index) const {
   const std::size_t size = layout.header + pixels + layout.footer;
   const std::size_t at = (legacy ? 0 : packet_header) + static_cast<std::size_t>(index) * size;
   const std::uint64_t status = legacy ? get(packet, at + layout.header + pixels, 4) : get(packet, at + 10, 2);
-  return {packet.subspan(at + layout.header, pixels), get_time_ns(packet, at),
+  const auto time_ns = get_time_ns(packet, at);
+  return {packet.subspan(at + layout.header, pixels), time_ns.value_or(0),
           static_cast<std::uint16_t>(get(packet, at + 8, 2)),
-          static_cast<std::uint16_t>(legacy ? get(packet, at + 10, 2) : get(packet, 2, 2)), (status & 1) != 0};
+          static_cast<std::uint16_t>(legacy ? get(packet, at + 10, 2) : get(packet, 2, 2)),
+          (status & 1) != 0 && time_ns};
 }
 
 std::optional<OusterPacketHead> OusterDecoder::head(Bytes packet) const {
@@ -132,8 +138,10 @@ void OusterDecoder::decode(Bytes packet, std::vector<OusterReturn>& out) const {
 std::optional<InertialSample> OusterDecoder::inertial_sample(Bytes packet) {
   if (packet.size() != imu_packet_bytes) return {};
   constexpr std::size_t gyroscope_time = 16, accelerometer = 24, gyroscope = 36;
+  const auto time_ns = get_time_ns(packet, gyroscope_time);
+  if (!time_ns) return {};
   InertialSample sample;
-  sample.time_s = 1e-9 * static_cast<double>(get_time_ns(packet, gyroscope_time));
+  sample.time_s = 1e-9 * static_cast<double>(*time_ns);
   for (int axis = 0; axis < 3; ++axis) {
     const auto at = static_cast<std::size_t>(4 * axis);
     sample.specific_force_m_s2[axis] = standard_gravity * get_float(packet, accelerometer + at);

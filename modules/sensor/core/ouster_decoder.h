@@ -43,7 +43,7 @@ class OusterDecoder {
   std::optional<OusterPacketHead> head(std::span<const std::uint8_t> packet) const;
 
   // Appends the returns of the valid columns of a packet with `head`, in order of its columns. Ranges of zero (no
-  // return) and columns that the frame does not have are left out.
+  // return), columns that the frame does not have and columns with an impossible time are left out.
   void decode(std::span<const std::uint8_t> packet, std::vector<OusterReturn>& out) const;
 
   // A legacy inertial packet (48 bytes). The time is that of its gyroscope, in seconds on the clock of the sensor.

@@ -90,8 +90,9 @@ TEST(E57Fields, OfOtherNamesNeverStandInTheColumnsOfBole) {
                 {"ext:time", 64},
                 {"ext:scan", 64},
                 {"a:foo", 64},
-                {"b:foo", 64}},
-               {{1, 2, 3, 4, 91, 92, 93, 94, 95, 96, 97, 98}, {-1, -2, 3, 5, 91, 92, 93, 94, 95, 96, 97, 98}},
+                {"b:foo", 64},
+                {"_own", 64}},
+               {{1, 2, 3, 4, 91, 92, 93, 94, 95, 96, 97, 98, 99}, {-1, -2, 3, 5, 91, 92, 93, 94, 95, 96, 97, 98, 99}},
                pose_xml(12, 7, 0)};
   const auto reading = read_scans({scan});
   const auto& cloud = reading.cloud;
@@ -105,6 +106,7 @@ TEST(E57Fields, OfOtherNamesNeverStandInTheColumnsOfBole) {
   EXPECT_EQ(cloud.values<double>("ext_intensity")[0], 92);
   EXPECT_EQ(cloud.values<double>("foo")[0], 97);
   EXPECT_EQ(cloud.values<double>("b_foo")[0], 98);
+  EXPECT_EQ(cloud.values<double>("field_own")[0], 99);
 }
 
 TEST(E57Fields, EmptyCellsOfAGridAreNoPoints) {

@@ -116,7 +116,10 @@ class Rows {
     if (others_.contains(field.name) || fields_.size() >= max_columns) return;
     std::string name = array_name(column_name(field.name));
     if (taken(name)) name = array_name(field.name);  // "ext:x" -> "ext_x"
-    for (int number = 2; taken(name); ++number) name = array_name(fmt::format("{}_{}", field.name, number));
+    const bool bare = name.starts_with('_');         // "_own" -> "field_own"
+    if (bare) name = "field" + name;
+    const std::string stem = bare ? name : field.name;
+    for (int number = 2; taken(name); ++number) name = array_name(fmt::format("{}_{}", stem, number));
     others_.emplace(field.name, static_cast<int>(fields_.size()));
     add(std::move(name), type_of(field));
   }
