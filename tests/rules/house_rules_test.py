@@ -15,6 +15,9 @@ MOST_SOURCES_IN_A_FOLDER = 40
 
 NAMESPACE = re.compile(r"^(inline )?namespace ([\w:]+) \{", re.M)
 NO_CODE = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')
+# What base/angles.h and base/statistics.h have already.
+OWN_DEGREES = re.compile(r"\bpi(?:_v<\w+>)? */ *180\b|\b180(?:\.0)? */ *std::numbers::pi")
+OWN_MEDIAN = re.compile(r"^(?:inline |static )*double median(?:_of)?\(std::vector<double> ", re.M)
 OLD_BOUND = re.compile(r"\b(?:least|most)_[a-z]\w*|\b[a-z]\w*_(?:min|max)\b")
 
 
@@ -82,6 +85,19 @@ class House(unittest.TestCase):
                     found[str(p.relative_to(ROOT))] = sorted(names)
         self.assertEqual(found, {}, "a lower bound is min_x, an upper bound max_x")
 
+    def test_degrees_and_medians_are_those_of_base(self):
+        found = []
+        for top in ("app", "modules"):
+            for p in sources(ROOT / top):
+                text = code_of(p.read_text(encoding="utf-8", errors="replace"))
+                if p.parent.name == "base":
+                    continue
+                if OWN_DEGREES.search(text):
+                    found.append(f"{p.relative_to(ROOT)} turns degrees by itself: base/angles.h")
+                if OWN_MEDIAN.search(text):
+                    found.append(f"{p.relative_to(ROOT)} has a median of its own: base/statistics.h")
+        self.assertEqual(found, [], "\n".join(found))
+
     def test_every_module_has_a_readme_that_names_its_folders(self):
         found = []
         for module in modules():
@@ -100,6 +116,9 @@ class House(unittest.TestCase):
         self.assertEqual(foreign_namespaces("io", "namespace bole::slam {\n"), ["bole::slam"])
         self.assertEqual(foreign_namespaces("io", "namespace bole::io::las {\nnamespace bole::io {\n"), [])
         self.assertEqual(OLD_BOUND.findall("least_points + range_min + max_range + min_x"), ["least_points", "range_min"])
+        self.assertTrue(OWN_DEGREES.search("angle * std::numbers::pi / 180;") and OWN_DEGREES.search("x * 180.0 / std::numbers::pi"))
+        self.assertFalse(OWN_DEGREES.search("std::numbers::pi / 18000") or OWN_DEGREES.search("2 * std::numbers::pi / 36"))
+        self.assertTrue(OWN_MEDIAN.search("namespace {\ndouble median(std::vector<double> values) {"))
         self.assertTrue(forward_declarations_only("bole::x", "namespace bole::x {\nstruct A;\n}\n"))
         self.assertFalse(forward_declarations_only("bole::x", "namespace bole::x {\nint f();\n}\n"))
 

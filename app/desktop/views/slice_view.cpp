@@ -4,8 +4,8 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "look/pixels.h"
 #include "render/charts/columns.h"
 #include "views/figure_picture.h"
@@ -143,13 +143,13 @@ void SliceView::write_lines() {
   if (fit_)
     data_.lines.push_back(text(tr("fit %1 cm   spread %2 cm   arc %3°")
                                    .arg(digits(200 * fit_->circle.radius, 1), digits(100 * fit_->sigma, 1),
-                                        digits(fit_->arc_rad * 180 / std::numbers::pi, 0))));
+                                        digits(degrees(fit_->arc_rad), 0))));
   else if (data_.drawn)
     data_.lines.push_back(text(tr("drawn %1 cm, no fit here").arg(digits(200 * data_.drawn->radius_m, 1))));
   else if (here_)
     data_.lines.push_back(text(tr("here %1 cm   spread %2 cm   arc %3°")
                                    .arg(digits(200 * here_->circle.radius, 1), digits(100 * here_->sigma, 1),
-                                        digits(here_->arc_rad * 180 / std::numbers::pi, 0))));
+                                        digits(degrees(here_->arc_rad), 0))));
   else if (std::abs(cut_.height_m - cut_.breast_height_m) >= same_height_m)
     data_.lines.push_back(text(tr("no circle fits the points here")));
   else

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/statistics.h"
 #include "evaluation/core/evaluate_stems.h"
 
@@ -59,7 +59,7 @@ PoseErrors pose_errors(const Table& loops, const Trajectory& reference, const Ev
     T.translation() = Eigen::Vector3d(x[i], y[i], z[i]);
     const Pose error = (reference.at(from_s[i]).inverse() * reference.at(to_s[i])).inverse() * T;
     out.shift_m.push_back(error.translation().norm());
-    out.turn_deg.push_back(Eigen::AngleAxisd(error.linear()).angle() * 180 / std::numbers::pi);
+    out.turn_deg.push_back(degrees(Eigen::AngleAxisd(error.linear()).angle()));
     out.within.push_back(out.shift_m.back() <= options.loop_shift_m && out.turn_deg.back() <= options.loop_turn_deg);
   }
   return out;

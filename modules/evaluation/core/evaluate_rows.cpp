@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "base/no_number.h"
 #include "evaluation/core/assignment.h"
@@ -15,7 +15,6 @@
 namespace bole::evaluation {
 namespace {
 
-constexpr double deg = std::numbers::pi / 180;
 constexpr double parallel_deg = 15, right_share = 0.9;
 using Eigen::Vector2d;
 
@@ -35,7 +34,7 @@ double fitted_angle_deg(const std::vector<Vector2d>& points) {
     yy += d.y() * d.y();
   }
   if (points.size() < 2 || xx + yy <= 0) return no_number;
-  return (xx >= yy ? std::atan2(xy, xx) : std::atan2(yy, xy)) / deg;
+  return (xx >= yy ? std::atan2(xy, xx) : std::atan2(yy, xy)) / rad_per_deg;
 }
 
 class MatchTable {
@@ -100,7 +99,7 @@ class LineTable {
   }
   // The line of least squares through plants, as far as they reach.
   void add(const std::string& id, const std::vector<Vector2d>& plants) {
-    const double angle = fitted_angle_deg(plants) * deg;
+    const double angle = fitted_angle_deg(plants) * rad_per_deg;
     if (!std::isfinite(angle)) return;
     const Vector2d along(std::cos(angle), std::sin(angle));
     Vector2d mean = Vector2d::Zero();
@@ -226,7 +225,7 @@ std::vector<Line> lines_of(const Table& t, bool stated_angles) {
   for (std::size_t i = 0; i < x0.size(); ++i) {
     const Vector2d a(x0[i], y0[i]), b(x1[i], y1[i]);
     if (!a.allFinite() || !b.allFinite() || !((b - a).norm() > 0)) continue;
-    const double own = std::atan2(b.y() - a.y(), b.x() - a.x()) / deg;
+    const double own = std::atan2(b.y() - a.y(), b.x() - a.x()) / rad_per_deg;
     lines.push_back({t.text("row_id", i), a, b, stated_angles && std::isfinite(stated[i]) ? stated[i] : own});
   }
   return lines;

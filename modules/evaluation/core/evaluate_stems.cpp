@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/no_number.h"
 #include "evaluation/core/align_trees.h"
 #include "evaluation/core/assignment.h"
@@ -294,7 +294,7 @@ StemEvaluation evaluate_stems(const Table& estimate_table, const Table& referenc
   summary.add("completeness", share_percent(n, n + static_cast<double>(out.missed)), "%");
   summary.add("correctness", share_percent(n, n + static_cast<double>(out.extra)), "%");
   if (options.align_stems != AlignStems::none) {
-    summary.add("align_turn", Eigen::Rotation2Dd(motion.linear()).smallestAngle() * 180 / std::numbers::pi, "deg");
+    summary.add("align_turn", degrees(Eigen::Rotation2Dd(motion.linear()).smallestAngle()), "deg");
     summary.add("align_shift_x", motion.translation().x(), "m");
     summary.add("align_shift_y", motion.translation().y(), "m");
   }

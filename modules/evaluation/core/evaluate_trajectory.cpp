@@ -5,15 +5,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
+#include "base/angles.h"
 #include "evaluation/core/evaluate_stems.h"
 
 namespace bole::evaluation {
 namespace {
-
-constexpr double to_deg = 180 / std::numbers::pi;
 
 struct PosePair {
   double time;
@@ -86,7 +84,7 @@ void add_relative_errors(const std::vector<PosePair>& pairs, double step, Summar
     const Pose error = (pairs[i].reference.inverse() * pairs[j].reference).inverse() *
                        (pairs[i].estimate.inverse() * pairs[j].estimate);
     translation.push_back(error.translation().norm());
-    rotation.push_back(angle_of(error) * to_deg);
+    rotation.push_back(angle_of(error) * deg_per_rad);
   }
   add_spread("rpe_translation", translation, "m", out);
   add_spread("rpe_rotation", rotation, "deg", out);
@@ -109,7 +107,7 @@ void add_relative_errors_by_distance(const std::vector<PosePair>& pairs, double 
     const Pose error = (pairs[i].reference.inverse() * pairs[j].reference).inverse() *
                        (pairs[i].estimate.inverse() * pairs[j].estimate);
     translation.push_back(error.translation().norm());
-    rotation.push_back(angle_of(error) * to_deg);
+    rotation.push_back(angle_of(error) * deg_per_rad);
   }
   add_spread("rpe_distance_translation", translation, "m", out);
   add_spread("rpe_distance_rotation", rotation, "deg", out);
@@ -132,7 +130,7 @@ void add_segment_errors(const std::vector<PosePair>& pairs, double segment_m, Su
       const Pose error =
           (pairs[i].reference.inverse() * last.reference).inverse() * (pairs[i].estimate.inverse() * last.estimate);
       translation += 100 * error.translation().norm() / length_m;
-      rotation += to_deg * angle_of(error) / length_m;
+      rotation += deg_per_rad * angle_of(error) / length_m;
       ++segments;
     }
   }
@@ -154,7 +152,7 @@ Table error_table(const std::vector<PosePair>& pairs) {
     ex.push_back(d.x());
     ey.push_back(d.y());
     ez.push_back(d.z());
-    er.push_back(angle_of(p.reference.inverse() * p.estimate) * to_deg);
+    er.push_back(angle_of(p.reference.inverse() * p.estimate) * deg_per_rad);
   }
   Table t;
   t.set("time_s", time);
@@ -196,7 +194,7 @@ TrajectoryEvaluation evaluate_trajectory(const Trajectory& estimate, const Traje
   std::vector<double> position, rotation;
   for (const auto& p : pairs) {
     position.push_back((p.estimate.translation() - p.reference.translation()).norm());
-    rotation.push_back(angle_of(p.reference.inverse() * p.estimate) * to_deg);
+    rotation.push_back(angle_of(p.reference.inverse() * p.estimate) * deg_per_rad);
   }
   SummaryRows summary(options.published_plot);
   summary.add("poses", static_cast<double>(pairs.size()), "");

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "base/angles.h"
 #include "base/error.h"
 
 namespace bole::evaluation {
@@ -48,14 +49,9 @@ void require(const Table& t, const std::string& column) {
 }
 
 const std::map<std::string, double, std::less<>>& units() {
-  static const std::map<std::string, double, std::less<>> known{{"mm", 0.001},
-                                                                {"cm", 0.01},
-                                                                {"dm", 0.1},
-                                                                {"m", 1},
-                                                                {"in", 0.0254},
-                                                                {"ft", 0.3048},
-                                                                {"deg", std::numbers::pi / 180},
-                                                                {"gon", std::numbers::pi / 200}};
+  static const std::map<std::string, double, std::less<>> known{
+      {"mm", 0.001},  {"cm", 0.01},   {"dm", 0.1},          {"m", 1},
+      {"in", 0.0254}, {"ft", 0.3048}, {"deg", rad_per_deg}, {"gon", std::numbers::pi / 200}};
   return known;
 }
 
@@ -102,7 +98,7 @@ void add_places(Table& t) {
   const auto azimuth = numbers_of(t, "azimuth_deg"), distance = numbers_of(t, "distance_m");
   std::vector<double> x, y;
   for (std::size_t i = 0; i < t.rows(); ++i) {
-    const double a = azimuth[i] * std::numbers::pi / 180;
+    const double a = radians(azimuth[i]);
     x.push_back(distance[i] * std::sin(a));
     y.push_back(distance[i] * std::cos(a));
   }

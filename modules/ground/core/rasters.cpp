@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/option.h"
 
 namespace bole::ground {
@@ -52,7 +52,7 @@ Raster slope_deg(const Raster& dem) {
     for (int ix = 0; ix < dem.nx; ++ix)
       if (!std::isnan(dem.at(ix, iy)))
         out.at(ix, iy) = static_cast<float>(
-            std::atan(std::hypot(gradient(dem, ix, iy, 1, 0), gradient(dem, ix, iy, 0, 1))) * 180.0 / std::numbers::pi);
+            degrees(std::atan(std::hypot(gradient(dem, ix, iy, 1, 0), gradient(dem, ix, iy, 0, 1)))));
   return out;
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
+#include "base/angles.h"
 #include "render/charts/columns.h"
 #include "render/draw/axes.h"
 #include "render/draw/furniture.h"
@@ -74,7 +74,7 @@ Traits traits_of(const Table& table) {
   t.stem = value("stem_diameter_mm"), t.stem_height = value("stem_height_mm");
   t.base = {value("base_x_m", 1), value("base_y_m", 1), value("base_z_m", 1)};
   t.centre = {value("breadth_x_m", 1), value("breadth_y_m", 1)};
-  t.angle = value("breadth_angle_deg", std::numbers::pi / 180);
+  t.angle = value("breadth_angle_deg", rad_per_deg);
   return t;
 }
 

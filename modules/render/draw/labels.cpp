@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "base/angles.h"
 
 namespace bole::render {
 namespace {
@@ -29,7 +30,7 @@ std::vector<Candidate> candidates_of(const LabelRequest& request) {
   for (const double distance : {gap_mm, gap_mm + 0.8, 2.0, 3.4, 5.0, 7.5}) {
     double preference = 0;
     for (const double deg : angles_deg) {
-      const double angle = deg * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+      const double angle = radians(deg), c = std::cos(angle), s = std::sin(angle);
       const Eigen::Vector2d edge = request.anchor + (request.radius_mm + distance) * Eigen::Vector2d(c, -s);
       // The side of the text that faces the point touches `edge`.
       const double x0 = edge.x() - request.size.x() * (0.5 - 0.5 * std::clamp(c * 1.4, -1.0, 1.0));

@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/option.h"
 #include "cloud/breast_height.h"
 #include "render/draw/figure.h"
@@ -242,7 +242,7 @@ struct Drawing {
 
 void draw_grid_labels(Canvas& canvas, const Drawing& d) {
   const auto& e = d.view.extent;
-  const double azimuth = d.options.from_azimuth_deg * std::numbers::pi / 180;
+  const double azimuth = radians(d.options.from_azimuth_deg);
   // The edges of the grid that face the viewer.
   const double front_y = std::cos(azimuth) < 0 ? e.lo.y() : e.hi.y(),
                front_x = std::sin(azimuth) < 0 ? e.lo.x() : e.hi.x();

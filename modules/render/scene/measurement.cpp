@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "base/angles.h"
 #include "base/error.h"
 
 namespace bole::render {
@@ -17,12 +18,11 @@ using Json = nlohmann::ordered_json;
 using Kind = Measurement::Kind;
 
 constexpr std::array kinds{Kind::point, Kind::distance, Kind::angle, Kind::ring};
-constexpr double degrees = 180 / std::numbers::pi;
 constexpr int ring_sides = 64;
 constexpr std::size_t max_measurements = 100'000;
 
 double angle_deg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) * degrees;
+  return std::atan2(a.cross(b).norm(), a.dot(b)) * deg_per_rad;
 }
 
 Eigen::Vector3d flat(const Eigen::Vector3d& v) { return {v.x(), v.y(), 0}; }
@@ -116,7 +116,7 @@ std::vector<MeasuredValue> values_of(const Measurement& m) {
       values = {{"distance", "m", d.norm()},
                 {"horizontal", "m", level},
                 {"vertical", "m", d.z()},
-                {"slope", "°", std::atan2(d.z(), level) * degrees, 1}};
+                {"slope", "°", std::atan2(d.z(), level) * deg_per_rad, 1}};
       break;
     }
     case Kind::angle: {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <unordered_map>
 
+#include "base/angles.h"
 #include "cloud/breast_height.h"
 #include "cloud/stem_rows.h"
 #include "render/charts/columns.h"
@@ -69,8 +69,8 @@ std::vector<StemShape> stem_shapes(const Table& stems, const Table* sections) {
     if (const auto it = by_tree.find(id[i]); it != by_tree.end() && it->second.size() >= 2) {
       shape_from_sections(it->second, shape);
     } else {
-      const double tilt = std::isfinite(lean[i]) ? lean[i] * std::numbers::pi / 180 : 0,
-                   a = std::isfinite(azimuth[i]) ? azimuth[i] * std::numbers::pi / 180 : 0;
+      const double tilt = std::isfinite(lean[i]) ? radians(lean[i]) : 0,
+                   a = std::isfinite(azimuth[i]) ? radians(azimuth[i]) : 0;
       // Azimuths turn clockwise from north.
       const Eigen::Vector3d per_metre(std::tan(tilt) * std::sin(a), std::tan(tilt) * std::cos(a), 1);
       const double top = std::isfinite(height[i]) ? std::clamp(height[i], 2.0, 6.0) : 4.0;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
+
 namespace bole::render {
 namespace {
 
@@ -44,7 +46,7 @@ void aim_from_above(vtkCamera* camera, const Eigen::Vector3d& centre, const Eige
 
 void aim_obliquely(vtkCamera* camera, const Eigen::Vector3d& centre, const Eigen::Vector3d& size, double aspect,
                    const std::vector<Eigen::Vector3d>& outline, double azimuth_deg, double elevation_deg) {
-  const double azimuth = azimuth_deg * std::numbers::pi / 180, elevation = elevation_deg * std::numbers::pi / 180;
+  const double azimuth = radians(azimuth_deg), elevation = radians(elevation_deg);
   const Eigen::Vector3d direction(std::sin(azimuth) * std::cos(elevation), std::cos(azimuth) * std::cos(elevation),
                                   std::sin(elevation));
   const Eigen::Vector3d right = Eigen::Vector3d::UnitZ().cross(direction).normalized(), up = direction.cross(right);

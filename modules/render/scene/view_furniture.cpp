@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "render/draw/furniture.h"
 
 namespace bole::render {
@@ -68,13 +68,13 @@ FurniturePatch scale_bar(const ViewFurniture& f) {
 }
 
 FurniturePatch north_arrow(const ViewFurniture& f) {
-  const double degrees = std::round(f.north_rad * 180 / std::numbers::pi);
+  const double north_deg = std::round(degrees(f.north_rad));
   constexpr double side = 22;
-  return patch(fmt::format("north {}", degrees),
+  return patch(fmt::format("north {}", north_deg),
                {f.width_mm - margin_mm - side, margin_mm, f.width_mm - margin_mm, margin_mm + side},
-               [degrees](Canvas& canvas) {
+               [north_deg](Canvas& canvas) {
                  // Turned about the middle of its shaft.
-                 const double a = degrees * std::numbers::pi / 180;
+                 const double a = radians(north_deg);
                  const Eigen::Vector2d centre = canvas.sheet().centre();
                  draw_north_arrow(canvas, centre + 4 * Eigen::Vector2d(std::sin(a), std::cos(a)), 9, a, halo_mm);
                });

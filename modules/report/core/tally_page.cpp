@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
+#include "base/angles.h"
 #include "base/markup.h"
 #include "cloud/table_columns.h"
 #include "render/draw/axes.h"
@@ -26,7 +26,7 @@ struct Place {
 Place place_of(const SurveyData& d, double x, double y) {
   if (d.rule.area.shape == PlotArea::Shape::none) return {render::fixed(x, 2), render::fixed(y, 2)};
   const Eigen::Vector2d from_centre = Eigen::Vector2d(x, y) - d.rule.area.centre;
-  double bearing_deg = std::atan2(from_centre.x(), from_centre.y()) * 180 / std::numbers::pi;
+  double bearing_deg = degrees(std::atan2(from_centre.x(), from_centre.y()));
   if (bearing_deg < 0) bearing_deg += 360;
   return {render::fixed(from_centre.norm(), 1), render::fixed(bearing_deg, 0)};
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/error.h"
 
 namespace bole::sensor {
@@ -82,8 +82,8 @@ void apply_hesai_correction(std::string_view csv, SensorModel& model) {
       throw bad_input("the correction file has the line '" + std::string(line.substr(0, 60)) + "'",
                       "a laser from 1 to " + std::to_string(channels.size()) + ", elevation and azimuth in degrees");
     const auto laser = static_cast<std::size_t>(values[0] - 1);
-    channels[laser].elevation_rad = values[1] * std::numbers::pi / 180;
-    channels[laser].azimuth_offset_rad = values[2] * std::numbers::pi / 180;
+    channels[laser].elevation_rad = radians(values[1]);
+    channels[laser].azimuth_offset_rad = radians(values[2]);
     seen[laser] = true;
   }
   const auto count = std::ranges::count(seen, true);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/angles.h"
+
 namespace bole::sensor {
 namespace {
 
@@ -145,7 +147,7 @@ std::optional<InertialSample> OusterDecoder::inertial_sample(Bytes packet) {
   for (int axis = 0; axis < 3; ++axis) {
     const auto at = static_cast<std::size_t>(4 * axis);
     sample.specific_force_m_s2[axis] = standard_gravity * get_float(packet, accelerometer + at);
-    sample.angular_rate_rad_s[axis] = std::numbers::pi / 180 * get_float(packet, gyroscope + at);
+    sample.angular_rate_rad_s[axis] = radians(get_float(packet, gyroscope + at));
   }
   if (!sample.specific_force_m_s2.allFinite() || !sample.angular_rate_rad_s.allFinite()) return {};
   return sample;

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/angles.h"
 #include "base/transform.h"
 #include "render/charts/columns.h"
 
@@ -59,8 +60,8 @@ std::optional<Eigen::Vector3d> on_axis(const std::vector<double>& heights_m, con
 // Corners of the rectangle of the breadth around its centre in plan.
 std::vector<Eigen::Vector3d> rectangle_of(const Table& t, const Eigen::Vector3d& base) {
   const Eigen::Vector3d centre(first_of(t, "breadth_x_m", 1), first_of(t, "breadth_y_m", 1), base.z());
-  const double angle = first_of(t, "breadth_angle_deg", std::numbers::pi / 180),
-               length = millimetres_of(t, "breadth_length_mm"), width = millimetres_of(t, "breadth_width_mm");
+  const double angle = first_of(t, "breadth_angle_deg", rad_per_deg), length = millimetres_of(t, "breadth_length_mm"),
+               width = millimetres_of(t, "breadth_width_mm");
   if (!centre.allFinite() || !std::isfinite(angle + length + width)) return {};
   const Eigen::Vector3d along(std::cos(angle), std::sin(angle), 0), across(-along.y(), along.x(), 0);
   std::vector<Eigen::Vector3d> corners;

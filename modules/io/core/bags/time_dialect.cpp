@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/option.h"
+#include "base/statistics.h"
 
 namespace bole::io {
 namespace {
@@ -19,16 +20,11 @@ constexpr std::array units{TimeUnit{1, "s"}, TimeUnit{1e-3, "ms"}, TimeUnit{1e-6
 constexpr double min_share = 0.03, max_share = 2;
 constexpr double same_clock_periods = 2, jump_periods = 3;
 
-double median(std::vector<double> values) {
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-  return values[values.size() / 2];
-}
-
 template <class F>
 double median_of(const std::vector<TimeSample>& samples, F&& value) {
   std::vector<double> values;
   for (const auto& s : samples) values.push_back(value(s));
-  return median(std::move(values));
+  return upper_median(std::move(values));
 }
 
 std::string milliseconds(double seconds) { return number_text(std::round(seconds * 1e4) / 10) + " ms"; }

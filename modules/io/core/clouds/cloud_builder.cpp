@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/statistics.h"
 #include "base/verdict.h"
 #include "io/core/clouds/cloud_bounds.h"
 #include "io/core/clouds/sensor_arrays.h"
@@ -121,12 +122,6 @@ T saturated(double value) {
     return static_cast<T>(std::clamp(std::nearbyint(value), static_cast<double>(std::numeric_limits<T>::min()),
                                      static_cast<double>(std::numeric_limits<T>::max())));
   }
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
 }
 
 // Scales a colour column whose depth the file does not declare: 0 to 1, 0 to 255 or 0 to 65535.
@@ -273,7 +268,7 @@ struct CloudBuilder::Parts {
       for (const auto& p : first)
         if (std::abs(p[axis]) <= farthest_m) values.push_back(p[axis]);
       if (values.empty()) continue;
-      const double middle = median(std::move(values));
+      const double middle = upper_median(std::move(values));
       if (std::abs(middle) > near_m) origin[axis] = origin_step_m * std::nearbyint(middle / origin_step_m);
     }
     for (const auto& p : first) positions.push_back((p - origin).cast<float>());

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "base/no_number.h"
 #include "base/option.h"
@@ -12,7 +12,6 @@
 namespace bole::io {
 namespace {
 
-constexpr double to_deg = 180 / std::numbers::pi;
 constexpr std::array numbers_of_rule{"centre_x_m", "centre_y_m", "width_m", "length_m", "min_dbh_cm"};
 
 }  // namespace
@@ -28,7 +27,7 @@ void write_plot(const std::filesystem::path& path, const CountingRule& rule) {
   file.set("centre_y_m", std::vector<double>(rows, area.centre.y()));
   file.set("width_m", std::vector<double>(rows, area.width_m));
   file.set("length_m", std::vector<double>(rows, area.length_m));
-  file.set("bearing_deg", std::vector<double>(rows, area.bearing_rad * to_deg));
+  file.set("bearing_deg", std::vector<double>(rows, area.bearing_rad * deg_per_rad));
   file.set("min_dbh_cm", std::vector<double>(rows, rule.min_dbh_cm));
   std::vector<double> x(rows, no_number), y(rows, no_number);
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -46,7 +45,7 @@ CountingRule read_plot(const std::filesystem::path& path) {
   Table plot;
   plot.facts["shape"] = file.text("shape", 0);
   for (const char* name : numbers_of_rule) plot.facts[name] = number_text(file.numbers(name)[0]);
-  plot.facts["bearing_rad"] = number_text(file.numbers("bearing_deg")[0] / to_deg);
+  plot.facts["bearing_rad"] = number_text(file.numbers("bearing_deg")[0] / deg_per_rad);
   const bool bounded = plot.facts.at("shape") != "none";
   plot.set("x_m", bounded ? file.numbers("x_m") : std::vector<double>());
   plot.set("y_m", bounded ? file.numbers("y_m") : std::vector<double>());

@@ -6,9 +6,9 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string_view>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "base/verdict.h"
 #include "io/core/scans/beside_capture.h"
@@ -65,13 +65,12 @@ double time_of(Bytes p, std::size_t at, std::uint8_t type) {
 }
 
 Pose extrinsics(Bytes p, std::size_t at) {  // roll, pitch, yaw in degrees; x, y, z in metres
-  constexpr double degree = std::numbers::pi / 180;
   Pose T = Pose::Identity();
   std::array<double, 6> v{};
   for (std::size_t i = 0; i < 6; ++i) v[i] = get_float(p, at + 4 * i);
   if (!std::ranges::all_of(v, [](double x) { return std::isfinite(x) && std::abs(x) < 1e4; }))
     throw bad_input("the extrinsics of a device are no numbers", "angles in degrees, and metres");
-  T.linear() = rotation_from_rpy(v[0] * degree, v[1] * degree, v[2] * degree);
+  T.linear() = rotation_from_rpy(v[0] * rad_per_deg, v[1] * rad_per_deg, v[2] * rad_per_deg);
   T.translation() = Eigen::Vector3d(v[3], v[4], v[5]);
   return T;
 }

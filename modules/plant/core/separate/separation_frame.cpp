@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <locale>
-#include <numbers>
 #include <sstream>
 
+#include "base/angles.h"
 #include "cloud/voxels.h"
 
 namespace bole::plant {
@@ -157,8 +157,7 @@ std::optional<Eigen::Vector3d> Separation::up_of_plane() {
     place /= static_cast<double>(poses_->poses.size());
     if (up_of_cameras.norm() > 0.3 * static_cast<double>(poses_->poses.size())) near = up_of_cameras.normalized();
   }
-  const auto plane =
-      largest_plane(thin, std::max(size_ / 200, 2 * spacing_), 0.06, near, 65 * std::numbers::pi / 180, run_);
+  const auto plane = largest_plane(thin, std::max(size_ / 200, 2 * spacing_), 0.06, near, radians(65), run_);
   if (!plane) return std::nullopt;
   double side = 0;
   if (near) {

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/statistics.h"
 
 namespace bole::plant {
 namespace {
 
-constexpr double level_angle_rad = 12 * std::numbers::pi / 180;
+constexpr double level_angle_rad = radians(12);
 
 }  // namespace
 

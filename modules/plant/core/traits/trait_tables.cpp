@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
+
+#include "base/angles.h"
 
 namespace bole::plant {
 namespace {
@@ -37,7 +38,7 @@ void set_places(Table& table, const TraitRow& row) {
   const Eigen::Vector3d along = one.norm() >= other.norm() ? one : other;
   set("breadth_x_m", middle.x());
   set("breadth_y_m", middle.y());
-  set("breadth_angle_deg", std::atan2(along.y(), along.x()) * 180 / std::numbers::pi);
+  set("breadth_angle_deg", degrees(std::atan2(along.y(), along.x())));
 }
 
 }  // namespace

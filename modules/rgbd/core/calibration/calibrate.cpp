@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "camera/camera_json.h"
 
@@ -35,9 +35,9 @@ class ParameterRows {
   void add_pose(const Pose& pose, const Vector6d& sd) {
     const Eigen::Vector3d turn = so3_log(Eigen::Quaterniond(pose.linear()));
     constexpr std::array axes{"x", "y", "z"};
-    constexpr double degree = 180 / std::numbers::pi;
     for (int i = 0; i < 3; ++i)
-      add(std::string("depth_to_color_r") + axes[static_cast<std::size_t>(i)], degree * turn[i], degree * sd[i], "deg");
+      add(std::string("depth_to_color_r") + axes[static_cast<std::size_t>(i)], deg_per_rad * turn[i],
+          deg_per_rad * sd[i], "deg");
     for (int i = 0; i < 3; ++i)
       add(std::string("depth_to_color_t") + axes[static_cast<std::size_t>(i)], 1000 * pose.translation()[i],
           1000 * sd[i + 3], "mm");
@@ -71,7 +71,7 @@ Table residual_table(const std::vector<BoardShot>& shots, const CameraFit& fit, 
     corners.push_back(static_cast<std::int64_t>(shot.corners.size()));
     rms.push_back(placed ? fit.shots[i].rms_px : missing);
     distance.push_back(placed ? T.translation().norm() : missing);
-    tilt.push_back(placed ? std::acos(std::min(1.0, std::abs(T.linear()(2, 2)))) * 180 / std::numbers::pi : missing);
+    tilt.push_back(placed ? degrees(std::acos(std::min(1.0, std::abs(T.linear()(2, 2))))) : missing);
     bias.push_back(missing);
     if (!depth) continue;
     for (const auto& v : depth->views)
@@ -147,7 +147,7 @@ void tell_camera(const CameraFit& fit, const std::vector<BoardShot>& shots, Repo
   report.counts["corners"] = static_cast<std::int64_t>(fit.residuals.size());
   report.metrics["residual"] = {fit.rms_px, Unit::pixel};
   report.metrics["coverage"] = {100 * fit.coverage, Unit::percent};
-  report.metrics["spread_of_tilts"] = {fit.spread_rad * 180 / std::numbers::pi, Unit::degree};
+  report.metrics["spread_of_tilts"] = {degrees(fit.spread_rad), Unit::degree};
   report.facts["distortion"] = choice_name(fit.terms);
 }
 

@@ -4,19 +4,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "base/option.h"
+#include "base/statistics.h"
 
 namespace bole::rgbd {
 namespace {
 
 constexpr std::size_t min_views = 4;
 constexpr std::size_t min_pixels = 60;
-constexpr std::size_t max_samples = 400;                      // per view
-constexpr double max_sd_shift = 0.003;                        // metres
-constexpr double max_sd_turn = 0.6 * std::numbers::pi / 180;  // 2 mm at 0.2 m from the axis
+constexpr std::size_t max_samples = 400;      // per view
+constexpr double max_sd_shift = 0.003;        // metres
+constexpr double max_sd_turn = radians(0.6);  // 2 mm at 0.2 m from the axis
 
 struct Sample {
   std::size_t view = 0;  // in DepthFit::views
@@ -83,12 +84,6 @@ std::vector<Sample> samples_of(const DepthImage& depth, const BoardShot& shot, c
   return kept;
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 // Depth that the board has in the direction of a sample.
 double true_depth(const Sample& s, const Pose& T_color_depth) {
   return (s.offset - s.normal.dot(T_color_depth.translation())) / s.normal.dot(T_color_depth.linear() * s.direction);
@@ -149,7 +144,7 @@ class PlaneFit {
  private:
   void accumulate(const DepthFit& fit) {
     constexpr double huber = 0.004;  // metres
-    constexpr double prior_turn = 3 * std::numbers::pi / 180, prior_shift = 0.03;
+    constexpr double prior_turn = radians(3), prior_shift = 0.03;
     hessian_ = Eigen::MatrixXd::Zero(size_, size_);
     gradient_ = Eigen::VectorXd::Zero(size_);
     scores_ = hessian_;
@@ -223,7 +218,7 @@ Collected collect(const ViewSource& views, const std::vector<BoardShot>& shots, 
       distances.push_back(s.z);
       biases.push_back(true_depth(s, camera.T_color_depth) - s.z);
     }
-    out.views.push_back({i, median_of(distances), median_of(biases), samples.size()});
+    out.views.push_back({i, upper_median(distances), upper_median(biases), samples.size()});
     out.samples.insert(out.samples.end(), samples.begin(), samples.end());
   }
   return out;
@@ -279,7 +274,7 @@ std::optional<DepthFit> fit_depth(const ViewSource& views, const std::vector<Boa
       std::vector<double> biases;
       for (const auto& s : collected.samples)
         if (&fit.views[s.view] == &v) biases.push_back(true_depth(s, fit.camera.T_color_depth) - s.z);
-      v.bias = median_of(biases);
+      v.bias = upper_median(biases);
     }
   return fit;
 }

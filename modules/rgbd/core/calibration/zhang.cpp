@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <opencv2/calib3d.hpp>
 #include <set>
 
+#include "base/angles.h"
 #include "base/error.h"
 
 namespace bole::rgbd {
@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t min_shots = 4;
 constexpr std::size_t min_corners = 8;
-constexpr double min_spread_rad = 10 * std::numbers::pi / 180;
+constexpr double min_spread_rad = radians(10);
 constexpr double max_focal_sd = 0.02;  // of the focal length
 constexpr std::size_t good_shots = 10;
 constexpr double good_coverage = 0.5;
@@ -203,10 +203,10 @@ bool drop_worst(std::vector<BoardShot>& shots, const CameraFit& fit, double bad_
 }
 
 void check_fit(const CameraFit& fit, std::size_t count) {
-  const auto degrees = [](double rad) { return std::to_string(rad * 180 / std::numbers::pi).substr(0, 4); };
+  const auto degrees_text = [](double rad) { return std::to_string(degrees(rad)).substr(0, 4); };
   if (fit.spread_rad < min_spread_rad)
     throw bad_input("the boards of all " + std::to_string(count) + " views are parallel to within " +
-                        degrees(fit.spread_rad) + " deg",
+                        degrees_text(fit.spread_rad) + " deg",
                     "boards that are tilted by 20 deg and more, in several directions");
   const double focal_sd = std::max(fit.sd[0] / std::abs(fit.camera.fx), fit.sd[1] / std::abs(fit.camera.fy));
   if (!(focal_sd < max_focal_sd))

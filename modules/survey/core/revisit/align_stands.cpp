@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "base/angles.h"
 #include "base/statistics.h"
 #include "survey/core/revisit/motion_votes.h"
 #include "survey/core/revisit/stand_hull.h"
@@ -15,7 +16,7 @@ namespace {
 constexpr double place_sigma_m = 0.15, dbh_sigma_cm = 1.5, miss_log = 1.9;  // 15 % of the trees may be missed
 constexpr double min_evidence = 30, rival_margin = 12, min_share = 0.35;
 constexpr std::size_t min_pairs = 5;
-constexpr double rival_turn = 3 * std::numbers::pi / 180, rival_shift_m = 0.7;  // nearer motions are the same
+constexpr double rival_turn = radians(3), rival_shift_m = 0.7;  // nearer motions are the same
 
 Eigen::Vector2d middle_of(const std::vector<StandTree>& trees) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
-#include <numbers>
 
 #include "base/angles.h"
 
@@ -13,7 +12,7 @@ namespace {
 
 constexpr std::size_t max_trees = 200, max_candidates = 60;
 constexpr double min_pair_m = 4, max_pair_m = 80, pair_slack_m = 0.15;
-constexpr double turn_cell = 2 * std::numbers::pi / 180, shift_cell_m = 1;
+constexpr double turn_cell = radians(2), shift_cell_m = 1;
 
 std::vector<StandTree> thickest(std::vector<StandTree> trees) {
   std::ranges::stable_sort(trees, [](const StandTree& a, const StandTree& b) {

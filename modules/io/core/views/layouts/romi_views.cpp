@@ -1,8 +1,8 @@
 // Scans of ROMI's plant imager (plantdb): images/ and metadata/images/*.json. Lengths are millimetres.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "io/core/views/camera_choice.h"
 #include "io/core/views/json_fields.h"
@@ -39,7 +39,7 @@ Pose pose_of_camera(const Json& camera) {
 
 // x, y, z in millimetres; pan and tilt in degrees: the camera looks along (-sin pan, cos pan), and down by the tilt.
 Pose pose_of_arm(const std::vector<double>& v) {
-  const double degree = std::numbers::pi / 180, pan = v[3] * degree, tilt = v[4] * degree;
+  const double pan = radians(v[3]), tilt = radians(v[4]);
   const Eigen::Vector3d right(std::cos(pan), std::sin(pan), 0);
   const Eigen::Vector3d ahead(-std::sin(pan) * std::cos(tilt), std::cos(pan) * std::cos(tilt), -std::sin(tilt));
   Pose pose = Pose::Identity();
