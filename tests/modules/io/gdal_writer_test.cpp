@@ -163,8 +163,11 @@ TEST_F(GdalWriter, StemsAreTypedPoints) {
   EXPECT_TRUE(rows[1]->IsFieldNull(rows[1]->GetFieldIndex("quality")));
   EXPECT_STREQ(rows[2]->GetFieldAsString("quality"), "Föhre");
   EXPECT_EQ(rows[0]->GetFieldAsDouble("dbh_cm"), 31.4);
-  EXPECT_EQ(set->GetLayerByName("crowns")->GetNextFeature()->GetGeometryRef()->toPolygon()->get_Area(), 6);
-  EXPECT_EQ(set->GetLayerByName("trajectory")->GetNextFeature()->GetGeometryRef()->toLineString()->getNumPoints(), 3);
+  const auto first = [set](const char* name) {
+    return OGRFeatureUniquePtr(set->GetLayerByName(name)->GetNextFeature());
+  };
+  EXPECT_EQ(first("crowns")->GetGeometryRef()->toPolygon()->get_Area(), 6);
+  EXPECT_EQ(first("trajectory")->GetGeometryRef()->toLineString()->getNumPoints(), 3);
   EXPECT_EQ(set->GetLayerByName("summary")->GetFeatureCount(), 3);
   rows.clear();
   GDALClose(set);
