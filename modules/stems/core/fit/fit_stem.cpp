@@ -319,8 +319,10 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   }
   double shrink = 0;
   contrary.judge(shrink, s.contrary_arc_rad);
+  // A first look leaves the range offset open, and with it how far another beam would move the radius.
+  const double beam_doubt = priors_.learnt ? fit.beam_doubt_m : 0;
   const double shared = std::hypot(std::hypot(options_.range_bias, options_.bark_relief_sd),
-                                   blur_sd(fit.cylinder.range_offset), fit.beam_doubt_m),
+                                   blur_sd(fit.cylinder.range_offset), beam_doubt),
                unseen = std::hypot(unseen_shape_sd(s.radius, covered_arc_rad(angles)),
                                    fit.along_rays ? 0 : unknown_beam_sd(fit.sigma_m)),
                sd = std::hypot(fit.radius_sd_m, shared, unseen),
