@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/option.h"
 #include "base/option_text.h"
+#include "cloud/core/laser_facts.h"
 #include "cloud/core/whole/whole_cloud.h"
 #include "cloud/core/whole/whole_size.h"
 #include "cloud/first_sight.h"
@@ -33,8 +34,10 @@ void check(const Facts& facts, const FactInfo& info) {
 std::span<const FactInfo* const> known_facts() {
   static constexpr std::array all{&facts::sensor,
                                   &facts::beam_divergence,
+                                  &facts::beam_divergence_sd,
                                   &facts::beam_aperture,
                                   &facts::range_noise,
+                                  &facts::lasers,
                                   &facts::clock,
                                   &facts::poses,
                                   &facts::level_sigma,

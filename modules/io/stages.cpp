@@ -104,7 +104,7 @@ pipeline::StageType read_scan() {
       "lost, "
       "damaged or out of order are counted. A recording that is cut off is read as far as it goes.";
   type.source = "Velodyne user manuals 63-9243, 63-9325, 63-9113; KITTI raw data format";
-  type.version = 2;
+  type.version = 3;
   type.outputs = {{"frames",
                    DataKind::frames,
                    "The frames of the scan, in sensor axes.",

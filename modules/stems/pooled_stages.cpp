@@ -9,12 +9,13 @@ namespace bole::stems {
 namespace {
 
 struct PoolOptions {
-  double range_offset_sd = MeasureOptions{}.range_offset_sd;
+  std::optional<double> range_offset_sd;  // without a value: as the rows say
 };
 
 pipeline::StageType evidence_stage() {
   pipeline::StageType t;
   t.name = "stems.evidence";
+  t.version = 2;
   t.vtk_class = "vtkBoleStemEvidence";
   t.title = "Evidence of the stems";
   t.help =
@@ -40,16 +41,18 @@ pipeline::StageType evidence_stage() {
 }
 
 pipeline::StageType pool_stage() {
-  static const OptionTable table = make_option_table<PoolOptions>(
-      {Option<PoolOptions, double>{"range_offset_sd",
-                                   &PoolOptions::range_offset_sd,
-                                   Unit::metre,
-                                   {1e-6, 0.1},
-                                   Tier::expert,
-                                   "Standard deviation expected of the range offset, as in stems.measure. A larger "
-                                   "value lets the stems say more."}});
+  static const OptionTable table = make_option_table<PoolOptions>({Option<PoolOptions, std::optional<double>>{
+      "range_offset_sd",
+      &PoolOptions::range_offset_sd,
+      Unit::metre,
+      {1e-6, 0.1},
+      "cloud",
+      Tier::expert,
+      "Standard deviation expected of the range offset, as in stems.measure; cloud: of the sensor, as the rows say. "
+      "A larger value lets the stems say more."}});
   pipeline::StageType t;
   t.name = "stems.pool_priors";
+  t.version = 2;
   t.vtk_class = "vtkBolePoolPriors";
   t.title = "Pool the priors";
   t.help =

@@ -113,6 +113,16 @@ const OptionTable& option_table(const MeasureOptions*) {
               "Horizontal full angle of the beam (1/e^2) in milliradians; cloud: as the cloud says. A wide beam "
               "measures the mean of the round bark that it lights."},
           Option<S, std::optional<double>>{
+              "beam_divergence_sd",
+              &S::beam_divergence_sd_mrad,
+              Unit::none,
+              {0, 20},
+              "cloud",
+              Tier::expert,
+              "Standard deviation of beam_divergence in milliradians; cloud: 0 where the maker of the sensor states "
+              "its beam, 1 where it is that of a similar sensor, 1.5 where none is known. A larger value widens the "
+              "intervals."},
+          Option<S, std::optional<double>>{
               "beam_aperture",
               &S::beam_aperture,
               Unit::metre,
@@ -147,13 +157,16 @@ const OptionTable& option_table(const MeasureOptions*) {
           Option<S, bool>{"estimate_range_offset", &S::estimate_range_offset, Tier::expert,
                           "Estimate the mean range error from all stems and remove it. It comes from the lasers, or "
                           "from poses that lie too close to the stems."},
-          Option<S, double>{"range_offset_sd",
-                            &S::range_offset_sd,
-                            Unit::metre,
-                            {0.0001, 0.05},
-                            Tier::expert,
-                            "Standard deviation of the range offset of calibrated sensors. The estimate is regularised "
-                            "towards zero with it; a larger value follows the stems more closely."},
+          Option<S, std::optional<double>>{
+              "range_offset_sd",
+              &S::range_offset_sd,
+              Unit::metre,
+              {0.0001, 0.05},
+              "cloud",
+              Tier::expert,
+              "Standard deviation of the range offset of calibrated sensors; cloud: 0.4 mm for 32 lasers or more, more "
+              "for fewer (1.1 mm for four). The estimate is regularised towards zero with it; a larger value follows "
+              "the stems more closely and widens the intervals."},
           Option<S, double>{"range_bias",
                             &S::range_bias,
                             Unit::metre,
@@ -195,7 +208,7 @@ const OptionTable& option_table(const MeasureOptions*) {
                             "Points closer to the fitted surface than this are marked as bark."},
           OnlyIf{"model",
                  {"auto", "ray"},
-                 {"ray_gate", "beam_divergence", "beam_aperture", "bark_relief", "bark_relief_sd",
+                 {"ray_gate", "beam_divergence", "beam_divergence_sd", "beam_aperture", "bark_relief", "bark_relief_sd",
                   "estimate_range_offset"}},
           OnlyIf{"estimate_range_offset", {"true"}, {"range_offset_sd"}},
       },

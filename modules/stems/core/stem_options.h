@@ -38,11 +38,12 @@ struct MeasureOptions {
   double section_step = 0.10;
   double max_sigma = 0.025;
   double ray_gate = 0.95;
-  std::optional<double> beam_divergence_mrad, beam_aperture, range_noise;  // without a value: as the cloud says
+  // Without a value: as the cloud says.
+  std::optional<double> beam_divergence_mrad, beam_divergence_sd_mrad, beam_aperture, range_noise;
   double bark_relief = 0;
   double bark_relief_sd = 0.0008;
   bool estimate_range_offset = true;
-  double range_offset_sd = 0.0004;
+  std::optional<double> range_offset_sd;  // without a value: by the number of lasers
   double range_bias = 0.0004;
   double pass_gap = 10;
   double max_range = 20;

@@ -45,9 +45,11 @@ def survey(bole, cloud, out, settings=(), report=False, limit_s=900):
                 result["stems"].append({"x": float(r["x_m"]), "y": float(r["y_m"]), "z": number(r["z_m"]), "dbh": number(r["dbh_cm"]),
                                         "low": number(r["dbh_lo_cm"]), "high": number(r["dbh_hi_cm"]), "quality": r["quality"],
                                         "flagged": r["state"] == "check" or r["quality"] == "poor"})
-    if code != 0 or not result["stems"]:
+    if code != 0:
         lines = [line for line in errors.splitlines() if line.strip() and not line.startswith("Results are")]
-        result["trouble"] = next((line for line in lines if "rror" in line or "failed" in line), lines[-1] if lines else "no stems")
+        result["trouble"] = next((line for line in lines if "rror" in line or "failed" in line), lines[-1] if lines else f"ended with {code}")
+    elif not result["stems"] and not result["verdict"]:
+        result["trouble"] = "no stems"
     return result
 
 

@@ -258,6 +258,17 @@ TEST(ReadText, PosesAreNoPoints) {
   EXPECT_EQ(read("10.5 1 2 3 0 0 0 5\n", "a.txt").cloud.size(), 1U);
 }
 
+TEST(ReadText, NumbersOfRowsAreNoCoordinates) {
+  const auto numbered = "1 512.25 3.5 12\n2 512.3 3.7 12\n3 512.1 3.4 12\n4 512.7 3.3 12\n5 512.5 3.1 12\n";
+  EXPECT_THAT(error_of([&] { read(numbered, "a.txt"); }),
+              testing::AllOf(HasSubstr("the first column counts the rows"), HasSubstr("\"_ x y z\"")));
+  CloudReadOptions named;
+  named.columns = "_ x y z";
+  EXPECT_EQ(read(numbered, "a.txt", named).cloud.position(0), Eigen::Vector3d(512.25, 3.5, 12));
+  // A line of a grid of whole metres.
+  EXPECT_EQ(read("0 7 1 9\n1 7 1 9\n2 7 1 9\n3 7 1 9\n4 7 1 9\n5 7 1 9\n", "a.txt").cloud.size(), 6U);
+}
+
 TEST(ReadText, ADeclaredNumberOfPointsIsCompared) {
   const auto fewer = read("100\n1 2 3\n4 5 6\n", "a.pts"), more = read("1\n1 2 3\n4 5 6\n", "a.pts");
   EXPECT_TRUE(has_finding(fewer.report, finding_code::input_incomplete));

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "../sensor/hesai_packets.h"
+#include "cloud/core/laser_facts.h"
 #include "io_test_tools.h"
 #include "pcap_bytes.h"
 
@@ -60,7 +61,9 @@ TEST(HesaiCapture, FramesAreWholeTurnsThroughTheHour) {
     for (const auto& p : frame.positions) EXPECT_NEAR(p.norm(), 6, 1e-4);
   }
   EXPECT_THAT(report.warnings, testing::Contains(HasSubstr("correction file")));
-  EXPECT_FALSE(source->facts().contains("beam_divergence_mrad"));  // it is assumed
+  EXPECT_EQ(fact_number(source->facts(), facts::beam_divergence), 3);
+  EXPECT_EQ(fact_number(source->facts(), facts::beam_divergence_sd), 1);  // that of a similar sensor
+  EXPECT_EQ(fact_number(source->facts(), facts::lasers), 32);
 }
 
 TEST(HesaiCapture, DualReturnsAreInTheFrames) {

@@ -8,6 +8,7 @@
 
 #include "stems/core/fit/cylinder_fit.h"
 #include "stems/core/fit/project_priors.h"
+#include "stems/core/sensor_facts.h"
 
 namespace bole::stems {
 namespace {
@@ -102,21 +103,24 @@ TEST(RangeOffset, IsToldFromTheRadiusByStemsSeenAllRound) {
     evidence.push_back(fit->range_offset);
   }
   for (const auto& e : evidence) EXPECT_NEAR(e.value_m, 0.005, 3 * e.sd_m + 0.001);
-  const auto prior = mean_range_offset(evidence, 0.02);  // of a sensor of which nothing is known
+  const auto prior = mean_range_offset(evidence, 0.02, 0.001);  // of a sensor of which nothing is known
   EXPECT_NEAR(prior.mean_m, 0.005, 0.0015);
   EXPECT_LT(prior.sd_m, 0.004);
 }
 
+// Spread of the views of a map without an inertial unit.
+constexpr double slam_views_m = 0.0026;
+
 TEST(RangeOffset, OneWildStemDoesNotDecide) {
   std::vector<RangeOffsetEvidence> evidence(10, {0.004, 0.002});
   evidence.push_back({-0.09, 0.01});
-  EXPECT_NEAR(mean_range_offset(evidence, 0.01).mean_m, 0.004, 0.0006);
-  EXPECT_NEAR(mean_range_offset({}, 0.01).mean_m, 0, 1e-12);
+  EXPECT_NEAR(mean_range_offset(evidence, 0.01, slam_views_m).mean_m, 0.004, 0.0006);
+  EXPECT_NEAR(mean_range_offset({}, 0.01, slam_views_m).mean_m, 0, 1e-12);
 }
 
 TEST(RangeOffset, MillimetresAreDrawnToZeroAndCentimetresAreNot) {
   const auto told = [](double value_m) {
-    return mean_range_offset(std::vector<RangeOffsetEvidence>(100, {value_m, 0.002}), 0.001);
+    return mean_range_offset(std::vector<RangeOffsetEvidence>(100, {value_m, 0.002}), 0.001, slam_views_m);
   };
   EXPECT_LT(told(0.004).mean_m, 0.001);
   EXPECT_GT(told(0.004).mean_m, 0);
@@ -125,7 +129,43 @@ TEST(RangeOffset, MillimetresAreDrawnToZeroAndCentimetresAreNot) {
   EXPECT_LT(told(0.012).mean_m - told(0.011).mean_m, 0.003) << "no leap between the two";
   EXPECT_GT(told(0.012).sd_m, told(0).sd_m) << "where the two disagree less is known";
   // However many stems agree, what they share stays unknown.
-  EXPECT_GT(mean_range_offset(std::vector<RangeOffsetEvidence>(100'000, {0.03, 0.002}), 0.001).sd_m, 0.003);
+  EXPECT_GT(mean_range_offset(std::vector<RangeOffsetEvidence>(100'000, {0.03, 0.002}), 0.001, slam_views_m).sd_m,
+            0.003);
+}
+
+// Four lasers with constants of some millimetres err together by more than 32 do, and exact poses make stems better
+// witnesses: what they agree on is taken over in good part.
+TEST(RangeOffset, FewLasersAndGoodPosesLetTheStemsSayMore) {
+  EXPECT_EQ(usual_range_offset_sd(64), usual_range_offset_sd(32));
+  EXPECT_NEAR(usual_range_offset_sd(4), usual_range_offset_sd(32) * std::sqrt(8.0), 1e-12);
+  const auto told = [](double lasers, double view_m, double doubt_m) {
+    return mean_range_offset(std::vector<RangeOffsetEvidence>(20, {0.002, 0.003, doubt_m}),
+                             usual_range_offset_sd(lasers), view_m);
+  };
+  EXPECT_GT(told(4, 0.001, 0).mean_m, 0.0006);
+  EXPECT_LT(told(32, slam_views_m, 0).mean_m, 0.0002);
+  EXPECT_LT(told(4, slam_views_m, 0).mean_m, 0.7 * told(4, 0.001, 0).mean_m);
+  EXPECT_LT(told(4, 0.001, 0.004).mean_m, 0.7 * told(4, 0.001, 0).mean_m) << "a beam that is not known";
+  EXPECT_GT(told(4, slam_views_m, 0).sd_m, 1.5 * told(32, slam_views_m, 0).sd_m);
+}
+
+TEST(WideBeam, DoubtOfItsWidthIsDoubtOfTheRadius) {
+  auto points = pulses_at(0.12, 0.008, 0.005, 0, 3);
+  CylinderFitOptions o;
+  o.along_rays = true, o.taper_mean = 0, o.range_offset.sd_m = 0.001;
+  const auto fit = [&] { return fit_tapered_cylinder(points, {0, 0, 0, 0, 0.12, 0, {}}, 0.03, o); };
+  const auto sure = fit();
+  ASSERT_TRUE(sure);
+  EXPECT_EQ(sure->beam_doubt_m, 0);
+  for (auto& p : points) p.beam_doubt = 0.001F;
+  const auto unsure = fit();
+  for (auto& p : points) p.beam_sd += 0.001F;
+  const auto wider = fit();
+  ASSERT_TRUE(unsure && wider);
+  EXPECT_EQ(unsure->cylinder.radius, sure->cylinder.radius);
+  EXPECT_NEAR(unsure->beam_doubt_m, std::abs(wider->cylinder.radius - sure->cylinder.radius),
+              0.3 * unsure->beam_doubt_m);
+  EXPECT_GT(unsure->beam_doubt_m, 0.0001);
 }
 
 }  // namespace

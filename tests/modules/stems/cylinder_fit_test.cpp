@@ -65,6 +65,12 @@ TEST(CylinderResidual, JacobiansAgreeWithDifferences) {
   p.p = {0.1, 0.06, 0.4}, p.ray = Eigen::Vector3d(-0.9, -0.2, 0.1).normalized(), p.beam_sd = 0.0055F;
   expect_right_jacobian([](const auto& a, const auto& b) { return surface_residual(a, b); }, c, p);
   expect_right_jacobian([](const auto& a, const auto& b) { return ray_residual(a, b, 0.95); }, c, p);
+  BarkPoint thinner = p, wider = p;
+  thinner.beam_sd -= 1e-4F, wider.beam_sd += 1e-4F;
+  EXPECT_NEAR(ray_residual(c, p, 0.95).by_beam,
+              (ray_residual(c, wider, 0.95).value - ray_residual(c, thinner, 0.95).value) /
+                  (static_cast<double>(wider.beam_sd) - static_cast<double>(thinner.beam_sd)),
+              0.02);
 }
 
 TEST(CylinderResidual, ARayOffTheGateOrAlongTheStemIsNotUsed) {

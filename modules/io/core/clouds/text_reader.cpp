@@ -174,6 +174,19 @@ void refuse_poses(Bytes file) {
                   "Read it with the stage io.read_trajectory, or name the columns with the option columns");
 }
 
+// "1 512.25 3.61 12.04": numbers of the rows in front of the coordinates would be read as x in silence. On a grid of
+// whole metres x counts too, but y stands still meanwhile.
+void refuse_numbered_rows(Bytes file, const Dialect& dialect) {
+  constexpr std::size_t looked_at = 20, enough = 5, fewest_columns = 4;
+  const auto rows = first_rows(file, dialect, looked_at);
+  const auto counted = [](const auto& a, const auto& b) { return b[0] == a[0] + 1 && b[1] != a[1]; };
+  if (rows.size() < enough || rows[0].size() < fewest_columns || rows[0][0] != std::floor(rows[0][0])) return;
+  for (std::size_t i = 1; i < rows.size(); ++i)
+    if (!counted(rows[i - 1], rows[i])) return;
+  throw bad_input("the first column counts the rows", "x, y and z",
+                  "Name the columns with the option columns, for instance \"_ x y z\"");
+}
+
 // "1,250,2,500,3,750": six columns or three with decimal commas? Every second field has the same number of digits then.
 void refuse_doubtful_commas(Bytes file, const Dialect& dialect) {
   if (dialect.delimiter != ',') return;
@@ -248,6 +261,7 @@ Layout find_layout(Bytes file, const CloudReadOptions& options) {
     } else {
       refuse_poses(file.subspan(before));
       if (!options.delimiter) refuse_doubtful_commas(file.subspan(before), dialect);
+      refuse_numbered_rows(file.subspan(before), dialect);
       layout.fields = usual_fields(row);
     }
     return layout;

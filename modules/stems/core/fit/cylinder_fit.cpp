@@ -302,7 +302,7 @@ void JointFit::describe(CylinderFit& fit) const {
   const auto& c = fit.cylinder;
   const auto n = static_cast<Eigen::Index>(size_);
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
-  Eigen::VectorXd unused = Eigen::VectorXd::Zero(n);
+  Eigen::VectorXd unused = Eigen::VectorXd::Zero(n), by_beam = unused;
   std::map<std::pair<int, int>, Eigen::VectorXd> by_section, by_bearing;
   fit.weight.assign(points_.size(), 0);
   const double s2 = fit.sigma_m * fit.sigma_m;
@@ -318,6 +318,7 @@ void JointFit::describe(CylinderFit& fit) const {
     add(information_ * share_[i] * (1 - u * u) * (1 - 5 * u * u) / s2 * e.jacobian * e.jacobian.transpose(), p.view,
         normal);
     const Vector7 g = information_ * w * e.value / s2 * e.jacobian;
+    add(information_ * w * e.by_beam * p.beam_doubt / s2 * e.jacobian, p.view, by_beam);
     const auto bearing =
         static_cast<int>(std::floor(std::atan2(p.p.y() - c.y, p.p.x() - c.x) / (std::numbers::pi / 6)));
     auto& a = by_section.try_emplace({p.pass, p.section}, Eigen::VectorXd::Zero(n)).first->second;
@@ -339,6 +340,7 @@ void JointFit::describe(CylinderFit& fit) const {
   fit.blocks = static_cast<int>(section_wins ? by_section.size() : by_bearing.size());
   // Few residuals scatter by chance less than their noise allows: what the noise alone leaves unknown is the least.
   fit.radius_sd_m = std::sqrt(std::max({0.0, worse(4, 4), inverse(4, 4)}));
+  fit.beam_doubt_m = std::abs(inverse.row(4).dot(by_beam));
   fit.position_sd_m = std::sqrt(std::max({0.0, worse(0, 0), worse(1, 1)}));
   if (options_.along_rays) {
     // What the prior of the offset has added to the estimate is taken out again.
@@ -346,6 +348,7 @@ void JointFit::describe(CylinderFit& fit) const {
     if (posterior < 0.9 * prior_variance) {
       const double variance = 1 / (1 / posterior - 1 / prior_variance);
       fit.range_offset.sd_m = std::sqrt(variance);
+      fit.range_offset.beam_doubt_m = variance / posterior * std::abs(inverse.row(6).dot(by_beam));
       fit.range_offset.value_m =
           variance * (c.range_offset / posterior - options_.range_offset.mean_m / prior_variance);
     }

@@ -17,6 +17,7 @@ struct BarkPoint {
   int section = 0;
   std::uint32_t source = 0;  // into the cloud
   float beam_sd = 0;         // of the light across the beam at the point, metres; 0: a thin ray
+  float beam_doubt = 0;      // standard deviation of beam_sd, metres: all points err alike
 };
 
 // A view is what one pass sees from one direction: errors of the poses change with both. Numbers the points by pass
@@ -70,6 +71,7 @@ std::vector<Eigen::Vector2d> likeliest_offsets(const DriftEvidence& evidence, co
 // What the points alone say about the range offset.
 struct RangeOffsetEvidence {
   double value_m = 0, sd_m = 0;  // sd 0: nothing
+  double beam_doubt_m = 0;       // standard deviation of the value because the width of the beam is not known
 };
 
 struct CylinderFit {
@@ -77,6 +79,7 @@ struct CylinderFit {
   double sigma_m = 0;        // robust scale of the residuals, capped
   double noise_m = 0;        // the same as found
   double radius_sd_m = 0;    // standard deviation of the radius, correlated residuals allowed for
+  double beam_doubt_m = 0;   // standard deviation of the radius because the width of the beam is not known
   double position_sd_m = 0;  // of the axis point, larger axis
   int blocks = 0;            // groups of residuals that count as independent
   int inliers = 0;
@@ -94,7 +97,8 @@ struct CylinderFit {
 struct PointResidual {
   double value = 0;
   Eigen::Matrix<double, 7, 1> jacobian = Eigen::Matrix<double, 7, 1>::Zero();
-  double impact = 0;  // distance of the ray from the axis, in radii; 0 for the surface
+  double impact = 0;   // distance of the ray from the axis, in radii; 0 for the surface
+  double by_beam = 0;  // derivative by the point's beam_sd
   bool usable = false;
 };
 PointResidual surface_residual(const TaperedCylinder& cylinder, const BarkPoint& point, bool derivatives = true);

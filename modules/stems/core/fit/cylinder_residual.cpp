@@ -58,6 +58,7 @@ PointResidual CylinderResiduals::along_ray(const BarkPoint& point, double ray_ga
   out.value = across * by_m - c_.range_offset, out.impact = std::sqrt(share2), out.usable = true;
   if (!derivatives) return out;
 
+  out.by_beam = lit.by_width * by_m;
   const double by_radius = lit.depth - 2 * share2 * lit.by_impact2 - width * lit.by_width,
                by_impact2 = lit.by_impact2 * by_r;
   const auto derivative = [&](double d_q2, double ds, double dA, double d_cos, double d_radius) {

@@ -19,8 +19,8 @@
 namespace bole::stems {
 namespace {
 
-// Beyond this many points the bark, not their number, limits the fit; they are sorted by place, so that every n-th is
-// an even choice. A first look tells what stems share, and needs fewer.
+// Beyond this many points the bark, not their number, limits the fit; they are sorted by place, so that leaving
+// out every n-th is an even choice. A first look tells what stems share, and needs fewer.
 constexpr std::size_t max_fit_points = 8000, max_first_points = 2500;
 // Of these some lie off the sections that are used, and the sections want points of their own.
 constexpr std::size_t max_gathered = 40000, max_first_gathered = 10000;
@@ -199,6 +199,7 @@ class StemFitter {
     gather.taper = axis.taper;
     gather.max_range = options_.max_range;
     gather.beam_divergence = 1e-3 * options_.beam_divergence_mrad.value_or(assumed_beam_divergence_mrad);
+    gather.beam_doubt = 1e-3 * options_.beam_divergence_sd_mrad.value_or(assumed_beam_divergence_sd_mrad);
     gather.beam_aperture = options_.beam_aperture.value_or(assumed_beam_aperture);
     gather.lowest = options_.search_bottom - breast_height_ - 0.1;
     gather.highest = options_.search_top - breast_height_;
@@ -225,9 +226,10 @@ class StemFitter {
     std::vector<BarkPoint> used;
     for (const auto& p : a.points)
       if (const auto* s = find_section(a.sections, p.section); s && s->section.used) used.push_back(p);
-    if (const std::size_t stride = used.size() / most + 1; stride > 1) {
-      for (std::size_t i = 0; i * stride < used.size(); ++i) used[i] = used[i * stride];
-      used.resize((used.size() - 1) / stride + 1);
+    // As many as may be: what is left out differs where the cloud lies elsewhere, and the diameter with it.
+    if (const std::size_t all = used.size(); all > most) {
+      for (std::size_t i = 0; i < most; ++i) used[i] = used[i * all / most];
+      used.resize(most);
     }
     return used;
   }
@@ -317,7 +319,10 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   }
   double shrink = 0;
   contrary.judge(shrink, s.contrary_arc_rad);
-  const double shared = std::hypot(options_.range_bias, options_.bark_relief_sd, blur_sd(fit.cylinder.range_offset)),
+  // A first look leaves the range offset open, and with it how far another beam would move the radius.
+  const double beam_doubt = priors_.learnt ? fit.beam_doubt_m : 0;
+  const double shared = std::hypot(std::hypot(options_.range_bias, options_.bark_relief_sd),
+                                   blur_sd(fit.cylinder.range_offset), beam_doubt),
                unseen = std::hypot(unseen_shape_sd(s.radius, covered_arc_rad(angles)),
                                    fit.along_rays ? 0 : unknown_beam_sd(fit.sigma_m)),
                sd = std::hypot(fit.radius_sd_m, shared, unseen),

@@ -8,6 +8,7 @@
 #include "base/statistics.h"
 #include "stems/core/fit/project_priors.h"
 #include "stems/core/fit/stem_quality.h"
+#include "stems/core/sensor_facts.h"
 
 namespace bole::stems {
 namespace {
@@ -39,7 +40,9 @@ void learn_priors(const std::vector<Stem>& fitted, const MeasureOptions& options
   const bool tells_offset = !offsets.empty() && options.estimate_range_offset;
   priors.learnt = !drift.empty() || !offsets.empty();
   if (!drift.empty()) priors.drift = likeliest_drift(drift, run);
-  if (tells_offset) priors.range_offset = mean_range_offset(std::move(offsets), options.range_offset_sd);
+  if (tells_offset)
+    priors.range_offset = mean_range_offset(
+        std::move(offsets), options.range_offset_sd.value_or(range_offset_of_many_lasers), priors.drift.view_sd_m);
   tell_priors(priors, moved_m, report, !drift.empty(), tells_offset);
 }
 
@@ -66,6 +69,7 @@ std::vector<StemEvidence> evidence_of(const std::vector<Stem>& fitted, const Mea
     e.at = (origin + s.breast_height).head<2>();
     if (s.drift.target.size() > 0) e.drift = drift_likelihoods(s.drift);
     if (tells_range_offset(s)) e.range_offset = s.range_offset;
+    e.range_offset_expected_m = options.range_offset_sd.value_or(range_offset_of_many_lasers);
     if (s.along_rays) e.noise_m = s.noise_m;
   }
   return out;

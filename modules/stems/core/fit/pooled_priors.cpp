@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/no_number.h"
 #include "base/statistics.h"
+#include "stems/core/sensor_facts.h"
 
 namespace bole::stems {
 namespace {
@@ -33,11 +34,11 @@ double single(const Table& table, const char* name) {
 
 }  // namespace
 
-PooledPriors pool(const std::vector<StemEvidence>& stems, double range_offset_sd_m) {
+PooledPriors pool(const std::vector<StemEvidence>& stems, std::optional<double> range_offset_sd_m) {
   PooledPriors out;
   DriftLikelihoods sum{};
   std::vector<RangeOffsetEvidence> offsets;
-  std::vector<double> noise;
+  std::vector<double> noise, expected;
   bool drifts = false;
   for (const auto& s : stems) {
     if (s.drift) {
@@ -46,9 +47,13 @@ PooledPriors pool(const std::vector<StemEvidence>& stems, double range_offset_sd
     }
     if (s.range_offset.sd_m > 0) offsets.push_back(s.range_offset);
     if (s.noise_m > 0) noise.push_back(s.noise_m);
+    if (s.range_offset_expected_m > 0) expected.push_back(s.range_offset_expected_m);
   }
   if (drifts) out.drift = likeliest_drift(sum);
-  if (!offsets.empty()) out.range_offset = mean_range_offset(std::move(offsets), range_offset_sd_m);
+  const double sd_m = expected.empty() ? range_offset_of_many_lasers : upper_median(std::move(expected));
+  if (!offsets.empty())
+    out.range_offset = mean_range_offset(std::move(offsets), range_offset_sd_m.value_or(sd_m),
+                                         out.drift.value_or(DriftPrior{}).view_sd_m);
   if (!noise.empty()) out.noise_m = upper_median(std::move(noise));
   return out;
 }
@@ -64,7 +69,9 @@ Table evidence_table(const std::vector<StemEvidence>& stems) {
   add("y_m", [](const StemEvidence& s) { return s.at.y(); });
   add("range_offset_m", [](const StemEvidence& s) { return s.range_offset.value_m; });
   add("range_offset_sd_m", [](const StemEvidence& s) { return s.range_offset.sd_m; });
+  add("range_offset_beam_doubt_m", [](const StemEvidence& s) { return s.range_offset.beam_doubt_m; });
   add("noise_m", [](const StemEvidence& s) { return s.noise_m; });
+  add("range_offset_expected_m", [](const StemEvidence& s) { return s.range_offset_expected_m; });
   for (std::size_t k = 0; k < DriftLikelihoods{}.size(); ++k)
     add(drift_column(k), [k](const StemEvidence& s) { return s.drift ? (*s.drift)[k] : no_number; });
   return t;
@@ -72,10 +79,12 @@ Table evidence_table(const std::vector<StemEvidence>& stems) {
 
 std::vector<StemEvidence> evidence_in(const Table& table) {
   const auto x = numbers_in(table, "x_m"), y = numbers_in(table, "y_m"), offset = numbers_in(table, "range_offset_m"),
-             offset_sd = numbers_in(table, "range_offset_sd_m"), noise = numbers_in(table, "noise_m");
+             offset_sd = numbers_in(table, "range_offset_sd_m"), noise = numbers_in(table, "noise_m"),
+             doubt = numbers_in(table, "range_offset_beam_doubt_m"),
+             expected = numbers_in(table, "range_offset_expected_m");
   std::vector<StemEvidence> out(x.size());
   for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = {{x[i], y[i]}, std::nullopt, {offset[i], offset_sd[i]}, noise[i]};
+    out[i] = {{x[i], y[i]}, std::nullopt, {offset[i], offset_sd[i], doubt[i]}, noise[i], expected[i]};
   for (std::size_t k = 0; k < DriftLikelihoods{}.size(); ++k) {
     const auto values = numbers_in(table, drift_column(k));
     for (std::size_t i = 0; i < out.size(); ++i) {

@@ -16,6 +16,7 @@ struct StemEvidence {
   std::optional<DriftLikelihoods> drift;         // nothing: seen from one view
   RangeOffsetEvidence range_offset;              // sd 0: nothing
   double noise_m = 0;                            // scatter of ranges on the bark; 0: not known
+  double range_offset_expected_m = 0;            // standard deviation, of the sensor; 0: not known
 };
 
 // What no stem says anything of stays open.
@@ -25,9 +26,9 @@ struct PooledPriors {
   double noise_m = 0;  // 0: not known
 };
 
-// `range_offset_sd_m`: MeasureOptions::range_offset_sd. Numbers are the same in any order of the stems, but for
-// rounding.
-PooledPriors pool(const std::vector<StemEvidence>& stems, double range_offset_sd_m);
+// `range_offset_sd_m`: MeasureOptions::range_offset_sd; without a value what the stems say is expected of their sensor.
+// Numbers are the same in any order of the stems, but for rounding.
+PooledPriors pool(const std::vector<StemEvidence>& stems, std::optional<double> range_offset_sd_m);
 
 // As tables, which keep every digit. The readers throw Error{bad_input} where a column is missing.
 Table evidence_table(const std::vector<StemEvidence>& stems);

@@ -75,6 +75,9 @@ void drop_distant(std::vector<Near>& near, std::vector<Eigen::Vector3d>& ray, do
   near.resize(kept), ray.resize(kept);
 }
 
+// Beams are not quite normal, and makers state their widths at levels of their own.
+constexpr double beam_form_doubt = 0.1;
+
 }  // namespace
 
 std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays, const StemAxes& axes,
@@ -112,6 +115,7 @@ std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays
     b.ray = axes.rotation * ray[i] / range;
     // Full widths of laser beams are those at 1/e^2: four standard deviations.
     b.beam_sd = static_cast<float>(0.25 * (options.beam_aperture + options.beam_divergence * range));
+    b.beam_doubt = static_cast<float>(std::hypot(0.25 * options.beam_doubt * range, beam_form_doubt * b.beam_sd));
   }
   return out;
 }

@@ -38,6 +38,7 @@ struct GatherOptions {
   double lowest = 0, highest = 0;  // along the stem from breast height, metres
   double max_range = 20;
   double beam_divergence = 0;  // full angle across the stem, radians
+  double beam_doubt = 0;       // standard deviation of that
   double beam_aperture = 0;    // width of the beam at the sensor, metres
   std::size_t max_points = 40000;
 };
