@@ -288,22 +288,19 @@ TEST(PaperPresets, EachMapsAShortWalk) {
   }
 }
 
-// What is seen lies in the first half of each frame. Matched against a last frame that was de-skewed wrongly, the
-// motion within the frame was wrong by more than that one's, to the other side, and swung up until the track was lost.
+// What is seen lies in the first part of each frame. Matched against a last frame that was de-skewed wrongly, the
+// motion within the frame was wrong by more than that one's, to the other side, and swung up until frames were lost.
 TEST(PaperPresets, TheMatchedMotionDoesNotSwingUp) {
-  auto source = dense_walk(30);
+  auto source = dense_walk(24);
   source.spoil = [](std::size_t, ScanFrame& frame) {
     for (std::size_t i = 0; i < frame.size(); ++i)
-      if (frame.time_offset_s[i] > 0.05) frame.positions[i].setZero();
+      if (frame.time_offset_s[i] > 0.08) frame.positions[i].setZero();
   };
-  for (const auto preset : {Preset::loam_paper, Preset::forest_paper}) {
-    auto options = with_preset(preset);
-    options.dense_map = false;
-    const auto result = run_slam(source, options, {});
-    EXPECT_EQ(result.report.counts.at("frames"), 30)
-        << choice_name(preset) << testing::PrintToString(result.report.warnings);
-    EXPECT_LT(worst_m(result.trajectory, source), 0.3) << choice_name(preset);
-  }
+  auto options = with_preset(Preset::forest_paper);
+  options.dense_map = false;
+  const auto result = run_slam(source, options, {});
+  EXPECT_EQ(result.report.counts.at("frames"), 24) << testing::PrintToString(result.report.warnings);
+  EXPECT_LT(worst_m(result.trajectory, source), 0.15);
 }
 
 TEST(PaperPresets, ElasticFramesHaveNoMatchedMotion) {
