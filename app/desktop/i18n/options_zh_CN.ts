@@ -2628,8 +2628,8 @@
             <translation>连续失败达到此帧数后,视为跟踪丢失。地图到此为止。</translation>
         </message>
         <message>
-            <source>Minimum information about the weakest motion of a frame, as a multiple of what noise alone would give. A frame with less counts as failed.</source>
-            <translation>帧在最弱运动方向上的最小信息量,以仅有噪声时的倍数表示。低于此值的帧计为失败。</translation>
+            <source>Minimum information about the weakest motion of a frame, as a multiple of what noise alone would give. A frame with less counts as failed; with weights equal or conditions one with less than 85 %, and the others are reported.</source>
+            <translation>帧在最弱运动方向上的最小信息量,以仅有噪声时的倍数表示。低于此值的帧计为失败;权为 equal 或 conditions 时,低于其 85 % 才计为失败,其余的会报告。</translation>
         </message>
         <message>
             <source>Maximum speed of the sensor. A faster frame counts as failed.</source>
@@ -3980,8 +3980,8 @@
             <translation>SLAM 系统:LOAM(loam,基准)、森林(forest,针对森林样地改进的 LOAM)、LeGO-LOAM(lego_loam,顾及地面的基准)、果园(orchard,种植行和枝叶)、最佳(best,弹性帧和最终轨迹平差,记录中有惯性单元时一并使用)惯性(inertial,与最佳相同,但必须有惯性单元),或严格按照论文:loam_paper、forest_paper、lego_loam_orchard_paper。</translation>
         </message>
         <message>
-            <source>Motion before registration: constant velocity, the frame matched as a whole against the last frame, or the motion within the frame matched point by point against the last frame.</source>
-            <translation>配准前的运动:匀速、将整帧与上一帧匹配,或将帧内运动逐点与上一帧匹配。</translation>
+            <source>Motion before registration: constant velocity, the frame matched as a whole against the last frame, or the motion within the frame matched point by point against the last frame, half way from constant velocity.</source>
+            <translation>配准前的运动:匀速、将整帧与上一帧匹配,或将帧内运动逐点与上一帧匹配(自匀速运动起只取一半修正)。</translation>
         </message>
         <message>
             <source>Weight of a match: from the thickness of the surface and the range noise (thickness), from the covariances of the points by sensor and poses (priors), or without a robust kernel the same for all (equal) or with the covariance of every single point (conditions).</source>

@@ -80,7 +80,8 @@ SlamOptionEntries preset_options() {
       Open<FirstGuess>{
           "first_guess", &S::first_guess, preset, Tier::advanced,
           "Motion before registration: constant velocity, the frame matched as a whole against the last frame, "
-          "or the motion within the frame matched point by point against the last frame."},
+          "or the motion within the frame matched point by point against the last frame, half way from constant "
+          "velocity."},
       Open<Deskew>{"deskew", &S::deskew, preset, Tier::advanced,
                    "Correction of the motion within a frame: none, once with the first guess, twice (again after a "
                    "first registration), or elastic (begin and end pose are estimated together)."},
@@ -226,7 +227,8 @@ SlamOptionEntries registration_options() {
         {0, 1000},
         Tier::expert,
         "Minimum information about the weakest motion of a frame, as a multiple of what noise alone would give. A "
-        "frame with less counts as failed."},
+        "frame with less counts as failed; with weights equal or conditions one with less than 85 %, and the others "
+        "are reported."},
       D{"max_speed",
         &S::max_speed,
         Unit::metre_per_second,

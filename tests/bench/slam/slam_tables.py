@@ -14,7 +14,8 @@ have get none:
   slam_tables.py --bole ... --work DIR --rate 10 5 --plots demo --seeds 1 --presets loam_paper forest_paper --page PAGE.md
 
 `true` is no preset: the map is made with the true poses, as the floor for walls and diameters.
---page writes the tables into a page, below a list of what was run and what was not.
+--page writes the tables into a page, below a list of what was run and what was not. A section "Where the ordering comes from" at its
+end is kept.
 --rate 5 simulates the recording of the paper: 5 revolutions per second, 0.1 deg between two pulses of a laser. Scans and results
 of the two rates have names of their own.
 
@@ -139,6 +140,8 @@ class Clock:
     def done(self):
         self.longest_s = max(self.longest_s, time.monotonic() - self.begun)
 
+
+JUDGED = "## Where the ordering comes from"  # heading on a page; what stands from there on is written by hand
 
 ENDED_EARLY = 4  # exit code of a run whose track was lost: its results stand, but are not of the whole walk
 
@@ -406,6 +409,10 @@ def page_text(arguments, variants, of_rate, text):
     if len(here) < len(full):
         missing += (" The others were not run. What stands here says whether a preset works and how it compares on these scans; it does "
                     "not say how it compares on the plots of the paper.")
+    # What a person wrote about the tables stays.
+    before = arguments.page.read_text() if arguments.page.exists() else ""
+    if JUDGED in before:
+        text += "\n\n" + before[before.index(JUDGED):].rstrip("\n")
     return "\n".join(["# SLAM: tables 2 and 3 of the paper on improved LOAM", "",
                       "The tables of the paper (SPEC A) for presets of `slam.run`, on simulated scans with known truth. Figures in brackets are those",
                       "that the paper published for the same system on its own plots (plot1 to plot4).", "", "```", " ".join(map(str, words)) + f" --page {arguments.page}",

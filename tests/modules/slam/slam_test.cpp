@@ -192,7 +192,7 @@ TEST(Slam, ALongCorridorIsRefusedAndAPlotIsNot) {
   corridor.planes.push_back({Eigen::Vector3d::UnitZ(), 0});
   corridor.planes.push_back({Eigen::Vector3d::UnitY(), 1.6});
   corridor.planes.push_back({Eigen::Vector3d::UnitY(), -1.3});
-  for (const auto preset : {Preset::best, Preset::loam, Preset::forest}) {
+  for (const auto preset : {Preset::best, Preset::loam, Preset::forest, Preset::loam_paper, Preset::forest_paper}) {
     const auto name = choice_name(preset);
     try {
       const auto report = straight_walk(corridor, preset, SpinningSensor::vlp32c(900));

@@ -278,52 +278,57 @@ Target find_target(const DistributionMap& map, const Eigen::Vector3d& point_in_m
   return surface ? as_target(*surface, line, sigma) : Target{};
 }
 
-PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_in_map, const Eigen::Vector3d& lever,
-                             double kernel) {
+namespace {
+
+// The squared distance from the target, and whether it is within `kernel` standard deviations.
+PoseEquations measured(const Target& target, const Eigen::Vector3d& error, double kernel) {
   PoseEquations out;
-  const Eigen::Vector3d error = point_in_map - target.mean;
-  const double k2 = kernel * kernel, along = target.axis.dot(error);
+  const double along = target.axis.dot(error);
   const bool line = target.kind == Target::Kind::line;
   out.squared_error = line ? std::max(0.0, error.squaredNorm() - along * along) : along * along;
-  out.inlier = out.squared_error < k2 * target.variance;
-  const double robust = k2 / (k2 + out.squared_error / target.variance), weight = robust * robust / target.variance;
-  out.weight = weight;
-  if (!line) {
+  out.inlier = out.squared_error < kernel * kernel * target.variance;
+  return out;
+}
+
+// Newton's equations of the squared distance with out.weight. Those of a line have the curvature across the distance as
+// well. With the derivative of the distance alone, steps towards lines would be up to twice as long as they should be,
+// and the iteration would go to and fro for ever.
+void set_equations(const Target& target, const Eigen::Vector3d& error, const Eigen::Vector3d& lever,
+                   PoseEquations& out) {
+  if (target.kind != Target::Kind::line) {
     Vector6d a;
     a << lever.cross(target.axis), target.axis;
-    out.H.noalias() = weight * a * a.transpose();
-    out.g = weight * along * a;
-    return out;
+    out.H.noalias() = out.weight * a * a.transpose();
+    out.g = out.weight * target.axis.dot(error) * a;
+    return;
   }
   Eigen::Matrix<double, 3, 6> J;
   J << -skew(lever), Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - target.axis * target.axis.transpose();
-  const Eigen::Matrix<double, 6, 3> Jw = weight * J.transpose() * across;
+  const Eigen::Matrix<double, 6, 3> Jw = out.weight * J.transpose() * across;
   out.H.noalias() = Jw * J;
   out.g.noalias() = Jw * error;
+}
+
+}  // namespace
+
+PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_in_map, const Eigen::Vector3d& lever,
+                             double kernel) {
+  const Eigen::Vector3d error = point_in_map - target.mean;
+  auto out = measured(target, error, kernel);
+  const double k2 = kernel * kernel, robust = k2 / (k2 + out.squared_error / target.variance);
+  out.weight = robust * robust / target.variance;
+  set_equations(target, error, lever, out);
   return out;
 }
 
 PoseEquations condition_equations(const Target& target, const Eigen::Vector3d& point_in_map,
                                   const Eigen::Vector3d& lever, double kernel, double weight) {
-  PoseEquations out;
   const Eigen::Vector3d error = point_in_map - target.mean;
-  const double along = target.axis.dot(error);
-  Eigen::Vector3d direction = target.axis;
-  double distance = along;
-  if (target.kind == Target::Kind::line) {
-    const Eigen::Vector3d across = error - along * target.axis;
-    distance = across.norm();
-    direction = distance > 1e-9 ? Eigen::Vector3d(across / distance) : target.axis.unitOrthogonal();
-  }
-  out.squared_error = distance * distance;
-  out.inlier = out.squared_error < kernel * kernel * target.variance;
+  auto out = measured(target, error, kernel);
   if (!out.inlier) return out;
   out.weight = weight;
-  Vector6d b;  // a row of B: d(distance)/d(turn, shift)
-  b << lever.cross(direction), direction;
-  out.H.noalias() = weight * b * b.transpose();
-  out.g = weight * distance * b;
+  set_equations(target, error, lever, out);
   return out;
 }
 

@@ -58,7 +58,7 @@ struct PoseEquations {
 // Weighted by the variance of the target and the Geman-McClure kernel of `kernel` standard deviations.
 PoseEquations pose_equations(const Target& target, const Eigen::Vector3d& point_in_map, const Eigen::Vector3d& lever,
                              double kernel);
-// As SPEC A7 has them: one condition for each distance, of a line as of a plane, with the given weight (1 / m2) and
+// As SPEC A7 has them: Newton's iteration on the squares of the distances, each with the given weight (1 / m2) and
 // without a robust kernel. Beyond `kernel` standard deviations of the target the match does not count.
 PoseEquations condition_equations(const Target& target, const Eigen::Vector3d& point_in_map,
                                   const Eigen::Vector3d& lever, double kernel, double weight);

@@ -435,6 +435,22 @@ void report_frames(const FirstPass& pass, double min_observability, Report& repo
   report.metrics["overlap"] = {100 * overlap / n, Unit::percent};
 }
 
+// Where the odometry lets a weakly determined frame pass, the map is to be looked at.
+void report_weak_frames(const FirstPass& pass, double min_observability, Report& report) {
+  const auto is_weak = [&](const TrackedFrame& f) {
+    return f.ok && f.iterations > 0 && f.observability < min_observability;
+  };
+  const auto weak = std::ranges::count_if(pass.frames, is_weak);
+  if (weak == 0) return;
+  const auto& first = *std::ranges::find_if(pass.frames, is_weak);
+  report.find(Severity::look, "weak_frames",
+              std::to_string(weak) + " of " + std::to_string(pass.frames.size()) +
+                  " frames (first: " + std::to_string(first.index) +
+                  ") hardly determine a motion: their observability is below " + number_text(min_observability) +
+                  ". The preset keeps to a paper that does not test this. Compare the "
+                  "map with one of slam.preset=best before you use it");
+}
+
 void no_loops(Track& track) {
   track.loop_table = loops_table({}, {});
   track.candidate_table = candidates_table({}, {}, {}, {});
@@ -493,6 +509,7 @@ Track estimate_track(const FrameSource& source, const SlamSettings& options, Rep
   add_odometry_poses(by_odometry, track.frame_table);
   for (const auto& k : pass.keyframes) track.keyframe_times_s.push_back(k.time_s);
   report_frames(pass, options.min_observability, report);
+  if (is_plain(options.weights)) report_weak_frames(pass, options.min_observability, report);
   return track;
 }
 
