@@ -1,7 +1,9 @@
-// Registers report.plot, report.compare, report.rows, report.steering, report.sample and report.plant. They live in
+// Registers report.plot, report.compare, report.flythrough, report.rows, report.steering, report.sample and
+// report.plant. They live in
 // bole_report and not with the stages of the core modules, because they draw.
 #include "pipeline/result_names.h"
 #include "report/compare/compare_report.h"
+#include "report/flight/flythrough.h"
 #include "report/make_report.h"
 #include "report/plant_report.h"
 #include "report/revisit_report.h"
@@ -41,6 +43,8 @@ void register_result_names() {
                               "growth.csv",
                               "growth_values.csv",
                               "figures",
+                              "flythrough",
+                              "flythrough.mp4",
                               "height_curve.csv",
                               "held_out.csv",
                               "internodes.csv",
@@ -142,6 +146,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   registry.add(plant_report_stage());
   registry.add(compare_report_stage());
   registry.add(tile_report_stage());
+  registry.add(flythrough_stage());
 }
 
 }  // namespace bole::report

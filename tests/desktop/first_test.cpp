@@ -10,6 +10,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QSettings>
+#include <QTabBar>
 #include <QTest>
 #include <QToolBar>
 
@@ -18,12 +19,14 @@
 #include "document/new_document.h"
 #include "document/unsaved.h"
 #include "features/first_look/next_step.h"
+#include "features/section/section.h"
 #include "look/elided_label.h"
 #include "look/focus_ring.h"
 #include "look/icons.h"
 #include "look/language.h"
 #include "look/last_folder.h"
 #include "look/svg_drawing.h"
+#include "look/text_lines.h"
 #include "look/theme.h"
 #include "panels/column_words.h"
 #include "panels/table_panel.h"
@@ -35,6 +38,7 @@
 #include "small_plot.h"
 #include "test_application.h"
 #include "views/scene_view.h"
+#include "views/slice_view.h"
 
 namespace bole::desktop {
 namespace {
@@ -240,6 +244,36 @@ class FirstTest : public QObject {
     install_language(*QCoreApplication::instance(), "en");
   }
 
+  void a_laptop_shows_the_slice_and_whole_tabs() {
+    MainWindow window;
+    window.resize(1280, 720);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    apply_mode(window, shipped_modes().front());
+    QTRY_COMPARE(window.size(), QSize(1280, 720));
+    QTRY_VERIFY2(window.slice().height() >= 240, qPrintable(QString::number(window.slice().height())));
+    for (auto* bar : window.findChildren<QTabBar*>())
+      for (int i = 0; bar->isVisible() && i < bar->count(); ++i)
+        QVERIFY2(bar->tabRect(i).width() >= bar->fontMetrics().horizontalAdvance(bar->tabText(i)),
+                 qPrintable(bar->tabText(i) + " is cut"));
+  }
+
+  void long_reasons_are_broken_into_lines() {
+    const QString long_one = "leans 17 deg; breast height hidden: extrapolated from 2.1 to 4.6 m";
+    const auto lines = text_lines(long_one, 45, 3);
+    QVERIFY(lines.size() >= 2 && lines.size() <= 3);
+    QString joined;
+    for (const auto& line : lines) {
+      QVERIFY2(line.size() * 1.25 <= 45, line.c_str());
+      joined += (joined.isEmpty() ? "" : " ") + QString::fromStdString(line);
+    }
+    QCOMPARE(joined, long_one);
+    QCOMPARE(text_lines(long_one, 45, 1).size(), std::size_t{1});
+    QVERIFY(QString::fromStdString(text_lines(long_one, 45, 1)[0]).endsWith(QStringLiteral("…")));
+    QVERIFY(text_lines({}, 45, 3).empty());
+    QCOMPARE(text_lines(QStringLiteral("胸高处被遮挡由外推"), 10, 3).size(), std::size_t{3});
+  }
+
   void tab_shows_where_the_focus_is() {
     MainWindow window;
     window.show();
@@ -382,6 +416,17 @@ class FirstTest : public QObject {
           QTRY_VERIFY_WITH_TIMEOUT(window.scene().refined(), 20000);
           QTest::qWait(100);
           window.grab().save(name + "4_measured.png");
+          window.commands().trigger("view.map");
+          const auto box = window.scene().whole();
+          const double y = (box.lo.y() + box.hi.y()) / 2;
+          window.findChild<SectionTool*>()->show({{box.lo.x(), y}, {box.hi.x(), y}, 4});
+          QTest::qWait(600);
+          window.grab().save(name + "5_section.png");
+          window.commands().trigger("view.map");
+          window.commands().trigger("section.across_walk");
+          for (int k = 0; k < 8; ++k) window.commands().trigger("section.next");
+          QTest::qWait(600);
+          window.grab().save(name + "6_across_walk.png");
           window.session().discard_recovery();
         }
     apply_theme(Theme::light);

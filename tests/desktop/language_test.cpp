@@ -11,9 +11,11 @@
 #include <QTranslator>
 #include <QXmlStreamReader>
 
+#include "document/cell_words.h"
 #include "document/stage_words.h"
 #include "features/stem_review/stem_review.h"
 #include "look/language.h"
+#include "render/charts/cross_section.h"
 #include "render/charts/linked_charts.h"
 #include "render/charts/stem_profile.h"
 #include "render/charts/stem_slice.h"
@@ -21,6 +23,8 @@
 #include "render/scene/view_furniture.h"
 #include "shell/main_window.h"
 #include "shell_test.h"
+#include "stems/core/fit/stem_reasons.h"
+#include "stems/core/tree/tree_tops.h"
 #include "views/figure_picture.h"
 
 namespace bole::desktop {
@@ -200,7 +204,8 @@ class LanguageTest : public QObject {
     render::StemSliceData slice;
     render::StemProfileData profile;
     std::vector<render::Figure> figures{render::stem_slice(slice, 80, 80), render::stem_profile(profile, 60, 90),
-                                        render::trajectory_error_chart({&path, &path, nullptr}, 120)};
+                                        render::trajectory_error_chart({&path, &path, nullptr}, 120),
+                                        render::cross_section({}, {}, 120, 80, 96, 1)};
     const Table no_stems = stems.subset({}), no_matches;
     for (const auto& chart : render::linked_charts()) {
       figures.push_back(chart.draw({&stems, &matches}, {}, {}).figure);
@@ -228,6 +233,31 @@ class LanguageTest : public QObject {
     QCOMPARE(QString::fromStdString(look.words("n 12   bias -0.20 cm   RMSE 0.41 cm")),
              QStringLiteral("n 12   偏差 -0.20 cm   RMSE 0.41 cm"));
     QCOMPARE(look.words("Tree 7"), std::string("Tree 7"));
+  }
+
+  // Every sentence that the measurement can give as a reason, and every word of the columns beside it.
+  void the_stem_table_speaks_chinese() {
+    install_language(*QCoreApplication::instance(), "zh_CN");
+    QStringList sentences;
+    for (const auto& format : stems::stem_reason_formats())
+      for (const QString number : {"12.3", "7"}) {
+        QString sentence = QString::fromUtf8(format.data(), static_cast<int>(format.size()));
+        sentences << sentence.replace(QRegularExpression("\\{[^}]*\\}"), number);
+      }
+    QStringList english;
+    const auto check = [&](const char* column, const QString& text) {
+      const QString shown = cell_words(column, text);
+      if (shown.contains(QRegularExpression("[A-Za-z]{3,}")) || !lost(text, shown).isEmpty()) english << text;
+    };
+    for (const auto& sentence : sentences) check("reasons", sentence);
+    for (const auto top : choice_names(stems::TopVerdict{})) check("top", QString::fromUtf8(top.data()));
+    check("top", "given by hand");
+    for (const char* word : {"good", "fair", "poor"}) check("quality", word);
+    for (const char* word : {"auto", "check", "accepted", "rejected", "edited"}) check("state", word);
+    QVERIFY2(english.isEmpty(), qPrintable("translate in app/desktop/i18n/stems_zh_CN.ts:\n" + english.join('\n')));
+    QCOMPARE(cell_words("reasons", "leans 17 deg; wide interval: +-7.7 cm"),
+             QStringLiteral("倾斜 17 度; 置信区间宽:+-7.7 cm"));
+    QCOMPARE(cell_words("species", "poor"), QString("poor"));
   }
 
   void the_window_speaks_chinese() {

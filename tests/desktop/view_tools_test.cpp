@@ -1,9 +1,11 @@
 // The 3-D view as people know it from other programs: bookmarks, pictures of any size, the plan map, numbers of trees;
 // the slice at any height; the form that gives the plot its place; a change of the language that loses nothing.
 #include <QAction>
+#include <QDockWidget>
 #include <QFile>
 #include <QImage>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
@@ -11,8 +13,11 @@
 #include <cmath>
 #include <fstream>
 
+#include "features/flythrough/flythrough.h"
 #include "features/georeference/control_table.h"
 #include "features/georeference/place_form.h"
+#include "features/measure/measure_tool.h"
+#include "features/section/section.h"
 #include "features/view_tools/bookmarks.h"
 #include "features/view_tools/plot_boundary.h"
 #include "look/language.h"
@@ -22,6 +27,7 @@
 #include "small_plot.h"
 #include "test_application.h"
 #include "views/scene_view.h"
+#include "views/section_view.h"
 #include "views/slice_view.h"
 
 namespace bole::desktop {
@@ -197,6 +203,132 @@ class ViewToolsTest : public QObject {
       QVERIFY2(colourful(usual, where) > 50 && colourful(grey, where) < colourful(usual, where) / 4,
                qPrintable(QString("%1 %2").arg(colourful(usual, where)).arg(colourful(grey, where))));
     scene().set_settings(before);
+  }
+
+  void a_cross_section_is_drawn_and_stepped() {
+    auto& tool = *window_->findChild<SectionTool*>();
+    auto& view = tool.view();
+    auto* dock = window_->docks().find("section");
+    QVERIFY(!dock->isVisible());
+    QVERIFY(!window_->commands().action("section.next")->isEnabled());
+    QVERIFY(!window_->commands().action("section.across_walk")->isEnabled());
+    scene().look_along(-Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY());
+    window_->commands().trigger("section.draw");
+    QTest::mouseClick(&scene(), Qt::LeftButton, {}, scene().place_of({0.5, 1.5, 0}));
+    QTest::mouseClick(&scene(), Qt::LeftButton, {}, scene().place_of({8.7, 1.5, 0}));
+    QVERIFY(tool.line() && !window_->commands().action("section.draw")->isChecked());
+    tool.show({{0.5, 1.5}, {8.7, 1.5}, 1});
+    QTRY_VERIFY(dock->isVisible() && view.section());
+    const auto& cut = [&]() -> const render::CrossSectionData& { return view.section()->drawn; };
+    QTRY_COMPARE(cut().stems.size(), std::size_t{3});
+    const auto& survey = window_->runner().survey();
+    std::size_t expected = 0;
+    for (std::size_t i = 0; i < survey.points->size(); ++i) {
+      const auto p = survey.points->position(i);
+      expected += p.x() >= 0.5 && p.x() < 8.7 && std::abs(p.y() - 1.5) <= 0.5;
+    }
+    QCOMPARE(view.section()->found, expected);
+    QCOMPARE(cut().points.size(), expected);
+    QCOMPARE(cut().rgb.size(), 3 * expected);
+    QVERIFY(!cut().terrain.empty());
+    for (const auto& piece : cut().terrain)
+      for (const auto& p : piece) QVERIFY2(std::abs(p.y() - 0.01) < 0.05, qPrintable(QString::number(p.y())));
+    // By its width to the back, which is north of a line that runs east.
+    window_->commands().trigger("section.next");
+    QVERIFY((tool.line()->from - Eigen::Vector2d(0.5, 2.5)).norm() < 1e-9);
+    QTRY_VERIFY(cut().stems.empty());
+    window_->commands().trigger("section.next");
+    window_->commands().trigger("section.next");
+    QTRY_COMPARE(cut().stems.size(), std::size_t{3});
+    window_->commands().trigger("section.previous");
+    QTRY_VERIFY(cut().stems.empty());
+    tool.show({{0.5, 1.5}, {8.7, 1.5}, 1});
+    QTRY_COMPARE(cut().stems.size(), std::size_t{3});
+  }
+
+  void what_measures_in_the_view_measures_in_a_cross_section() {
+    auto& tool = *window_->findChild<SectionTool*>();
+    auto& view = tool.view();
+    auto& measured = *window_->findChild<MeasureTool*>();
+    QTRY_VERIFY(view.section() && view.section()->drawn.stems.size() == 3);
+    const auto click = [&](double along, double z) {
+      QTest::mouseClick(&view, Qt::LeftButton, {}, view.place_of({along, z}).toPoint());
+    };
+    window_->selection().select({});
+    click(1.0, 2.0);  // on the first stem: no tool is on
+    QVERIFY(window_->selection().tree());
+    window_->commands().trigger("measure.distance");
+    click(1.0, 2.0);
+    click(4.0, 2.0);
+    QCOMPARE(measured.list().size(), std::size_t{1});
+    const auto& points = measured.list()[0].points;
+    QVERIFY2(std::abs((points[1] - points[0]).norm() - 3) < 0.35,
+             qPrintable(QString::number((points[1] - points[0]).norm())));
+    QCOMPARE(view.section()->drawn.marks.size(), std::size_t{1});
+    window_->commands().trigger("measure.end");
+    window_->commands().trigger("section.next");  // it lies in the slab before
+    QTRY_VERIFY(view.section()->drawn.marks.empty());
+    window_->session().undo_stack().undo();
+    QVERIFY(measured.list().empty());
+    const QString file = at("section.png");
+    tool.save(file);
+    QVERIFY(QImage(file).width() > 1000);
+    tool.clear();
+    QVERIFY(!window_->docks().find("section")->isVisible());
+    scene().reset_camera();
+  }
+
+  void sections_go_along_a_path() {
+    const std::vector<Eigen::Vector2d> path{{0, 0}, {10, 0}, {10, 10}};
+    QCOMPARE(path_length_m(path), 20.0);
+    const auto east = line_across(path, 5, 2, 1), north = line_across(path, 15, 2, 1);
+    QVERIFY(east && north);
+    QVERIFY((east->from - Eigen::Vector2d(5, 2)).norm() < 1e-9 && (east->to - Eigen::Vector2d(5, -2)).norm() < 1e-9);
+    QVERIFY((north->from - Eigen::Vector2d(8, 5)).norm() < 1e-9 && (north->to - Eigen::Vector2d(12, 5)).norm() < 1e-9);
+    QVERIFY((east->behind() - Eigen::Vector2d(1, 0)).norm() < 1e-9);  // seen by who walks
+    QVERIFY(!line_across(path, 20.1, 2, 1) && !line_across(path, -0.1, 2, 1));
+    QVERIFY(!line_across({{1, 1}, {1, 1}}, 0, 2, 1));
+  }
+
+  void a_film_is_made_of_the_bookmarks_and_can_be_cancelled() {
+    scene().look_along({1, 0.2, -0.4}, Eigen::Vector3d::UnitZ());
+    const auto first = scene().view_point();
+    scene().reset_camera();
+    report::FlythroughOptions options;
+    options.seconds = 0.6;
+    options.frame_rate = 5;
+    options.width = 96;
+    options.height = 64;
+    QVERIFY(window_->commands().action("view.flythrough")->isEnabled());
+    FlythroughDialog dialog(scene().survey(), {first, scene().view_point()}, options, window_.get());
+    QCOMPARE(dialog.options().course, report::FlightCourse::views);  // the plot has no walk
+    QCOMPARE(dialog.options().width, 96);
+    QSignalSpy made(&dialog, &FlythroughDialog::made), refused(&dialog, &FlythroughDialog::refused);
+    const auto frame = [&](const char* folder, int k) {
+      QFile file(at(folder) + QString("/flythrough/frame_0000%1.png").arg(k));
+      return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    for (const char* folder : {"film", "again"}) {
+      dialog.start(at(folder));
+      QVERIFY(dialog.busy());
+      QTRY_VERIFY_WITH_TIMEOUT(!dialog.busy(), 60000);
+    }
+    QCOMPARE(made.size(), 2);
+    for (int k = 1; k <= 3; ++k) {
+      QVERIFY(frame("film", k).size() > 200);
+      QCOMPARE(frame("film", k), frame("again", k));
+    }
+    QVERIFY(frame("film", 1) != frame("film", 3) && frame("film", 4).isEmpty());
+    options.seconds = 100;
+    dialog.set_options(options);
+    dialog.start(at("long"));
+    dialog.reject();  // Cancel
+    QTRY_COMPARE_WITH_TIMEOUT(refused.size(), 1, 60000);
+    QVERIFY(frame("long", 1).size() < 1000000 && !QFile::exists(at("long/flythrough/frame_00500.png")));
+    FlythroughDialog nowhere(scene().survey(), {first}, options, window_.get());
+    bool can_start = true;
+    for (auto* button : nowhere.findChildren<QPushButton*>()) can_start = can_start && button->isEnabled();
+    QVERIFY(!can_start);
   }
 
   void the_boundary_is_drawn_and_dragged() {

@@ -12,6 +12,16 @@
         </message>
     </context>
     <context>
+        <name>bole::desktop::FlythroughDialog</name>
+        <message numerus="yes">
+            <source>%n frame(s) as PNG files</source>
+            <translation>
+                <numerusform>%n frame as a PNG file</numerusform>
+                <numerusform>%n frames as PNG files</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>bole::desktop::NextStep</name>
         <message numerus="yes">
             <source>%n stem(s)</source>

@@ -784,8 +784,8 @@
             <translation>放弃</translation>
         </message>
         <message>
-            <source>Opened last</source>
-            <translation>最近打开</translation>
+            <source>Recent files</source>
+            <translation>最近的文件</translation>
         </message>
         <message>
             <source>File</source>
@@ -1510,30 +1510,6 @@
         <message>
             <source>drawn %1 cm, no fit here</source>
             <translation>所画 %1 cm，此处无法拟合</translation>
-        </message>
-        <message>
-            <source>good</source>
-            <translation>良好</translation>
-        </message>
-        <message>
-            <source>fair</source>
-            <translation>一般</translation>
-        </message>
-        <message>
-            <source>poor</source>
-            <translation>较差</translation>
-        </message>
-        <message>
-            <source>accepted</source>
-            <translation>已接受</translation>
-        </message>
-        <message>
-            <source>rejected</source>
-            <translation>已拒绝</translation>
-        </message>
-        <message>
-            <source>edited</source>
-            <translation>已编辑</translation>
         </message>
         <message>
             <source>here %1 cm   spread %2 cm   arc %3°</source>
@@ -2282,6 +2258,217 @@
         <message>
             <source>Strike the selected loop closure out</source>
             <translation>剔除所选回环</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::FlythroughDialog</name>
+        <message>
+            <source>Flythrough</source>
+            <translation>漫游影片</translation>
+        </message>
+        <message>
+            <source>Along the walk</source>
+            <translation>沿行走路径</translation>
+        </message>
+        <message>
+            <source>Through the %1 bookmarked views</source>
+            <translation>经过 %1 个书签视图</translation>
+        </message>
+        <message>
+            <source> s</source>
+            <translation> 秒</translation>
+        </message>
+        <message>
+            <source> frames per second</source>
+            <translation> 帧/秒</translation>
+        </message>
+        <message>
+            <source>Fitted stems</source>
+            <translation>拟合的树干</translation>
+        </message>
+        <message>
+            <source>Video (MP4)</source>
+            <translation>视频 (MP4)</translation>
+        </message>
+        <message>
+            <source>The program ffmpeg is not installed: frames are written as PNG files.</source>
+            <translation>未安装 ffmpeg 程序:各帧写为 PNG 文件。</translation>
+        </message>
+        <message>
+            <source>Course</source>
+            <translation>路线</translation>
+        </message>
+        <message>
+            <source>Length</source>
+            <translation>时长</translation>
+        </message>
+        <message>
+            <source>Rate</source>
+            <translation>帧率</translation>
+        </message>
+        <message>
+            <source>Size of a frame</source>
+            <translation>画面尺寸</translation>
+        </message>
+        <message>
+            <source>Make the film…</source>
+            <translation>制作影片…</translation>
+        </message>
+        <message>
+            <source>Folder of the film</source>
+            <translation>影片文件夹</translation>
+        </message>
+        <message>
+            <source>The survey has no walk.</source>
+            <translation>该调查没有行走路径。</translation>
+        </message>
+        <message>
+            <source>Bookmark two views or more (Ctrl+B).</source>
+            <translation>请至少收藏两个视图 (Ctrl+B)。</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n frame(s) as PNG files</source>
+            <translation>
+                <numerusform>%n 帧 PNG 图像</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>关闭</translation>
+        </message>
+        <message>
+            <source>Flythrough…</source>
+            <translation>漫游影片…</translation>
+        </message>
+        <message>
+            <source>Open a scan or a point cloud first.</source>
+            <translation>请先打开扫描数据或点云。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::SectionTool</name>
+        <message>
+            <source>There is no point here. Click one that is drawn.</source>
+            <translation>这里没有点。请点击已绘制的点。</translation>
+        </message>
+        <message>
+            <source>Click where the section begins, on the left.</source>
+            <translation>点击剖面的起点(左侧)。</translation>
+        </message>
+        <message>
+            <source>Click where the section ends.</source>
+            <translation>点击剖面的终点。</translation>
+        </message>
+        <message>
+            <source>The line is too short. Click its end again.</source>
+            <translation>剖面线太短。请重新点击终点。</translation>
+        </message>
+        <message>
+            <source>The path ends here.</source>
+            <translation>路径到此结束。</translation>
+        </message>
+        <message>
+            <source> m wide</source>
+            <translation> m 宽</translation>
+        </message>
+        <message>
+            <source>Width of the section: points up to half of it before and behind the line</source>
+            <translation>剖面宽度:剖面线前后各取其一半的点</translation>
+        </message>
+        <message>
+            <source> m long</source>
+            <translation> m 长</translation>
+        </message>
+        <message>
+            <source>Length of the line</source>
+            <translation>剖面线长度</translation>
+        </message>
+        <message>
+            <source>Cross-section</source>
+            <translation>剖面</translation>
+        </message>
+        <message>
+            <source>Draw a cross-section first.</source>
+            <translation>请先绘制剖面。</translation>
+        </message>
+        <message>
+            <source>The survey has no walk.</source>
+            <translation>该调查没有行走路径。</translation>
+        </message>
+        <message>
+            <source>Open a scan or a point cloud first.</source>
+            <translation>请先打开扫描数据或点云。</translation>
+        </message>
+        <message>
+            <source>Draw a cross-section</source>
+            <translation>绘制剖面</translation>
+        </message>
+        <message>
+            <source>Next section</source>
+            <translation>下一个剖面</translation>
+        </message>
+        <message>
+            <source>Previous section</source>
+            <translation>上一个剖面</translation>
+        </message>
+        <message>
+            <source>Sections across the walk</source>
+            <translation>横穿行走路径的剖面</translation>
+        </message>
+        <message>
+            <source>Sections across the selected row</source>
+            <translation>横穿所选种植行的剖面</translation>
+        </message>
+        <message>
+            <source>Section along the selected row</source>
+            <translation>沿所选种植行的剖面</translation>
+        </message>
+        <message>
+            <source>Whole section</source>
+            <translation>显示整个剖面</translation>
+        </message>
+        <message>
+            <source>Save the section…</source>
+            <translation>保存剖面…</translation>
+        </message>
+        <message>
+            <source>Save the section</source>
+            <translation>保存剖面</translation>
+        </message>
+        <message>
+            <source>Figures (*.png *.svg *.pdf)</source>
+            <translation>图形 (*.png *.svg *.pdf)</translation>
+        </message>
+        <message>
+            <source>Wrote %1</source>
+            <translation>已写入 %1</translation>
+        </message>
+        <message>
+            <source>Remove the section</source>
+            <translation>移除剖面</translation>
+        </message>
+        <message>
+            <source>%1 m of %2 m</source>
+            <translation>%1 m,共 %2 m</translation>
+        </message>
+        <message>
+            <source>(%1, %2) to (%3, %4)</source>
+            <translation>(%1, %2) 至 (%3, %4)</translation>
+        </message>
+        <message>
+            <source>%1 of %2 points</source>
+            <translation>%1 / %2 个点</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::SectionView</name>
+        <message>
+            <source>Draw a line in the 3-D view (key X): the points along it are shown here from the side.</source>
+            <translation>在三维视图中画一条线(X 键):线两侧的点在此从侧面显示。</translation>
         </message>
     </context>
     <context>

@@ -56,6 +56,10 @@
             <translation>此高度没有点</translation>
         </message>
         <message>
+            <source>Along the line (m)</source>
+            <translation>沿剖面线 (m)</translation>
+        </message>
+        <message>
             <source>Across (m)</source>
             <translation>横向 (m)</translation>
         </message>

@@ -1924,6 +1924,76 @@
             <source>Core</source>
             <translation>核心区</translation>
         </message>
+        <message>
+            <source>Course</source>
+            <comment>report.flythrough</comment>
+            <translation>路线</translation>
+        </message>
+        <message>
+            <source>Views</source>
+            <comment>report.flythrough</comment>
+            <translation>书签视图</translation>
+        </message>
+        <message>
+            <source>Seconds</source>
+            <comment>report.flythrough</comment>
+            <translation>时长</translation>
+        </message>
+        <message>
+            <source>Frame rate</source>
+            <comment>report.flythrough</comment>
+            <translation>帧率</translation>
+        </message>
+        <message>
+            <source>Width</source>
+            <comment>report.flythrough</comment>
+            <translation>画面宽度</translation>
+        </message>
+        <message>
+            <source>Height</source>
+            <comment>report.flythrough</comment>
+            <translation>画面高度</translation>
+        </message>
+        <message>
+            <source>Color</source>
+            <comment>report.flythrough</comment>
+            <translation>着色</translation>
+        </message>
+        <message>
+            <source>Point size</source>
+            <comment>report.flythrough</comment>
+            <translation>点的大小</translation>
+        </message>
+        <message>
+            <source>Stems</source>
+            <comment>report.flythrough</comment>
+            <translation>树干</translation>
+        </message>
+        <message>
+            <source>Walk</source>
+            <comment>report.flythrough</comment>
+            <translation>行走路径</translation>
+        </message>
+        <message>
+            <source>Dark</source>
+            <comment>report.flythrough</comment>
+            <translation>深色背景</translation>
+        </message>
+        <message>
+            <source>Above</source>
+            <comment>report.flythrough</comment>
+            <translation>相机高度</translation>
+        </message>
+        <message>
+            <source>Ahead</source>
+            <comment>report.flythrough</comment>
+            <translation>前视距离</translation>
+        </message>
+        <message>
+            <source>Video</source>
+            <comment>report.flythrough</comment>
+            <translation>视频</translation>
+        </message>
 </context>
     <context>
         <name>option help</name>
@@ -4055,6 +4125,62 @@
             <source>Standard deviation expected of the range offset, as in stems.measure; cloud: of the sensor, as the rows say. A larger value lets the stems say more.</source>
             <translation>预期的测距偏移标准差,与 stems.measure 相同;点云(cloud):按各行所给的传感器。值越大,树干自身的影响越大。</translation>
         </message>
+        <message>
+            <source>Where the camera flies: along the walk of the sensor, or through bookmarked views.</source>
+            <translation>相机的飞行路线:沿传感器的行走路径,或经过书签视图。</translation>
+        </message>
+        <message>
+            <source>File of bookmarked views that the window keeps beside a pipeline (plot.views.json).</source>
+            <translation>窗口在流程旁保存的书签视图文件 (plot.views.json)。</translation>
+        </message>
+        <message>
+            <source>Length of the film.</source>
+            <translation>影片时长。</translation>
+        </message>
+        <message>
+            <source>Frames for each second.</source>
+            <translation>每秒帧数。</translation>
+        </message>
+        <message>
+            <source>Width of a frame in pixels.</source>
+            <translation>画面宽度(像素)。</translation>
+        </message>
+        <message>
+            <source>Height of a frame in pixels.</source>
+            <translation>画面高度(像素)。</translation>
+        </message>
+        <message>
+            <source>What points are coloured by.</source>
+            <translation>点的着色依据。</translation>
+        </message>
+        <message>
+            <source>Size of a point in pixels of a frame 1080 pixels high.</source>
+            <translation>点的大小,以 1080 像素高的画面中的像素计。</translation>
+        </message>
+        <message>
+            <source>Draw the fitted stems.</source>
+            <translation>绘制拟合的树干。</translation>
+        </message>
+        <message>
+            <source>Draw the path of the sensor.</source>
+            <translation>绘制传感器的路径。</translation>
+        </message>
+        <message>
+            <source>Draw on a dark ground.</source>
+            <translation>使用深色背景。</translation>
+        </message>
+        <message>
+            <source>Height of the camera above the path of the sensor.</source>
+            <translation>相机高于传感器路径的距离。</translation>
+        </message>
+        <message>
+            <source>Distance along the walk at which the camera looks. A larger value turns more gently.</source>
+            <translation>相机沿路径前视的距离。数值越大,转向越平缓。</translation>
+        </message>
+        <message>
+            <source>Make a video of the frames where the program ffmpeg is installed: flythrough.mp4.</source>
+            <translation>装有 ffmpeg 程序时由各帧生成视频:flythrough.mp4。</translation>
+        </message>
 </context>
     <context>
         <name>choices</name>
@@ -4952,6 +5078,36 @@
         <message>
             <source>gravity</source>
             <translation>重力</translation>
+        </message>
+        <message>
+            <source>walk</source>
+            <comment>course</comment>
+            <translation>行走路径</translation>
+        </message>
+        <message>
+            <source>views</source>
+            <comment>course</comment>
+            <translation>书签视图</translation>
+        </message>
+        <message>
+            <source>height</source>
+            <comment>color</comment>
+            <translation>高度</translation>
+        </message>
+        <message>
+            <source>intensity</source>
+            <comment>color</comment>
+            <translation>强度</translation>
+        </message>
+        <message>
+            <source>tree</source>
+            <comment>color</comment>
+            <translation>单木</translation>
+        </message>
+        <message>
+            <source>plain</source>
+            <comment>color</comment>
+            <translation>单色</translation>
         </message>
 </context>
 </TS>

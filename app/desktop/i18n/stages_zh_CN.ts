@@ -259,6 +259,10 @@
             <source>Renumber trees</source>
             <translation>重新编号树木</translation>
         </message>
+        <message>
+            <source>Make a film</source>
+            <translation>制作影片</translation>
+        </message>
 </context>
     <context>
         <name>stage help</name>
@@ -553,6 +557,10 @@
         <message>
             <source>Gives the points of a part of a cloud the tree ids of the whole: the table says which number each tree of the part gets. Points of trees that it does not list belong to no tree.</source>
             <translation>给点云一部分的点赋予整体的树号:表中说明该部分每株树得到的编号。未列出的树的点不属于任何树。</translation>
+        </message>
+        <message>
+            <source>Draws a flight of the camera through a survey, along the walk or through bookmarked views, as frames flythrough/frame_00001.png and so on, and as flythrough.mp4 where ffmpeg is installed. The same inputs give the same frames.</source>
+            <translation>绘制相机穿行调查成果的过程:沿行走路径或经过书签视图,写出各帧 flythrough/frame_00001.png 等;装有 ffmpeg 时还写出 flythrough.mp4。相同的输入得到相同的画面。</translation>
         </message>
 </context>
 </TS>

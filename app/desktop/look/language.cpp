@@ -45,6 +45,7 @@ void install_language(QCoreApplication& application, const QString& code) {
   install("stages_" + language, ":/i18n");
   install("options_" + language, ":/i18n");
   install("figures_" + language, ":/i18n");
+  install("stems_" + language, ":/i18n");
   if (language != "en") install("qtbase_" + language, QLibraryInfo::location(QLibraryInfo::TranslationsPath));
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "document/cell_words.h"
+
 namespace bole::desktop {
 namespace {
 
@@ -95,7 +97,9 @@ bool RowCondition::holds(const Table& table, std::size_t row) const {
   if (!problem_.empty()) return false;
   if (column_.empty())
     return std::ranges::any_of(table.columns(), [&](const auto& column) {
-      return lower(table.text(column.name, row, column.name.ends_with("_m") ? 3 : 2)).find(text_) != std::string::npos;
+      const auto text = table.text(column.name, row, column.name.ends_with("_m") ? 3 : 2);
+      const auto shown = cell_words(column.name, QString::fromStdString(text)).toStdString();
+      return lower(text).find(text_) != std::string::npos || lower(shown).find(text_) != std::string::npos;
     });
   const bool words = std::holds_alternative<std::vector<std::string>>(*table.find(column_));
   if (relation_ == Relation::contains) return lower(table.text(column_, row)).find(text_) != std::string::npos;

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "cloud/table_columns.h"
+#include "document/cell_words.h"
 #include "panels/column_words.h"
 
 namespace bole::desktop {
@@ -56,9 +57,10 @@ QVariant TableModel::data(const QModelIndex& index, int role) const {
     return static_cast<int>((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
   if (role == Qt::DisplayRole || (role == Qt::ToolTipRole && !number)) {
     const QString text = QString::fromStdString(table_->text(column.name, row, column.name.ends_with("_m") ? 3 : 2));
-    if (role == Qt::ToolTipRole || column.name != "state") return text;
+    const QString words = cell_words(column.name, text);
+    if (role == Qt::ToolTipRole || column.name != "state") return words;
     const char* const mark = text == "accepted" ? "✓ " : text == "rejected" ? "✗ " : text == "edited" ? "✎ " : "";
-    return QString::fromUtf8(mark) + text;
+    return QString::fromUtf8(mark) + words;
   }
   // Sorting takes the number itself, not its text.
   if (role == Qt::UserRole && number) return table_->numbers(column.name)[row];

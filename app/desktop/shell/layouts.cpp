@@ -12,7 +12,7 @@
 namespace bole::desktop {
 namespace {
 
-constexpr int state_version = 1;  // raised when docks change so that saved layouts do not fit
+constexpr int state_version = 2;  // raised when docks change so that saved layouts do not fit
 
 void apply_layout(MainWindow* window, const QString& name) {
   window->restoreState(QSettings().value("layouts/" + name).toByteArray(), state_version);

@@ -28,6 +28,7 @@
 #include "shell/start_page.h"
 #include "shell/thumbnails.h"
 #include "shell/tool_bars.h"
+#include "shell/whole_tabs.h"
 #include "views/chart_view.h"
 #include "views/profile_view.h"
 #include "views/scene_view.h"
@@ -40,6 +41,7 @@ MainWindow::MainWindow() {
   resize(QSize(1600, 1000).boundedTo(QGuiApplication::primaryScreen()->availableSize()));
   setAcceptDrops(true);
   setCentralWidget(&scene());
+  new WholeTabs(*this);
   make_docks();
   install_shell_commands(*this);
   install_features(*this);
@@ -76,18 +78,19 @@ void MainWindow::make_docks() {
   layout->setSpacing(2);
   layout->addWidget(filter);
   layout->addWidget(&stems());
-  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);  // forms are tall
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);    // forms are tall
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);  // slice and profile need the height, the table the width
   docks().add("pipeline", tr("Pipeline"), &pipeline(), Qt::LeftDockWidgetArea);
   docks().add("options", tr("Options"), &properties(), Qt::LeftDockWidgetArea);
   // Behind another tab it would go on taking the keys.
-  connect(docks().add("stems", tr("Stems"), table, Qt::BottomDockWidgetArea), &QDockWidget::visibilityChanged, filter,
-          [filter](bool on) {
-            if (!on) filter->clearFocus();
-          });
-  auto* below = docks().add("chart", tr("Chart"), &chart(), Qt::BottomDockWidgetArea);
+  auto* below = docks().add("stems", tr("Stems"), table, Qt::BottomDockWidgetArea);
+  connect(below, &QDockWidget::visibilityChanged, filter, [filter](bool on) {
+    if (!on) filter->clearFocus();
+  });
   docks().add("log", tr("Log"), &log(), Qt::LeftDockWidgetArea);
   docks().add("slice", tr("Slice"), &slice(), Qt::RightDockWidgetArea);
   docks().add("profile", tr("Profile"), &profile(), Qt::RightDockWidgetArea);
+  docks().add("chart", tr("Chart"), &chart(), Qt::RightDockWidgetArea, "profile");
   resizeDocks({below}, {260}, Qt::Vertical);  // the view gets the rest
   resizeDocks({docks().find("pipeline"), docks().find("options")}, {320, 460}, Qt::Vertical);
 }

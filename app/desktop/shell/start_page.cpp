@@ -127,8 +127,7 @@ void StartPage::add_unsaved(QBoxLayout* layout) {
     row->addWidget(restore);
     row->addWidget(give_up);
     layout->addWidget(line);
-    connect(restore, &QPushButton::clicked, this,
-            [this, path] { window_.guarded([&] { window_.restore(path); }); });
+    connect(restore, &QPushButton::clicked, this, [this, path] { window_.guarded([&] { window_.restore(path); }); });
     connect(give_up, &QPushButton::clicked, line, [line, path] {
       QFile::remove(Session::recovery_path(path));
       forget_unsaved(path);
@@ -142,7 +141,7 @@ void StartPage::add_recent(QBoxLayout* layout) {
   for (const auto& path : recent_files())
     if (QFileInfo::exists(path) && files.size() < max_recent) files << path;
   if (files.isEmpty()) return;
-  add_heading(layout, MainWindow::tr("Opened last"), "h3");
+  add_heading(layout, MainWindow::tr("Recent files"), "h3");
   auto* grid = new QGridLayout;
   grid->setColumnStretch(recent_columns, 1);
   for (int i = 0; i < files.size(); ++i) {
@@ -162,7 +161,8 @@ void StartPage::cover() {
 
 bool StartPage::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest || event->type() == QEvent::Show)
-    QMetaObject::invokeMethod(this, [this] { cover(); }, Qt::QueuedConnection);  // after menus and bars had their place
+    QMetaObject::invokeMethod(
+        this, [this] { cover(); }, Qt::QueuedConnection);  // after menus and bars had their place
   return QWidget::eventFilter(watched, event);
 }
 

@@ -2,34 +2,16 @@
 
 #include <vtkRenderer.h>
 
-#include <QCoreApplication>
 #include <QFontDatabase>
-#include <QRegularExpression>
 
+#include "look/number_words.h"
 #include "look/theme.h"
 
 namespace bole::desktop {
 namespace {
 
-// Texts of figures are English with numbers in them: they are looked up with %1, %2 in their place, in the context
-// "figures" of app/desktop/i18n.
 std::string in_the_language_of_the_window(std::string_view english) {
-  static const QRegularExpression number("(?<![A-Za-z_])-?\\d+(\\.\\d+)?");
-  const QString text = QString::fromUtf8(english.data(), static_cast<int>(english.size()));
-  QString pattern;
-  QStringList numbers;
-  int end = 0;
-  for (auto it = number.globalMatch(text); it.hasNext();) {
-    const auto match = it.next();
-    numbers << match.captured();
-    pattern += text.mid(end, match.capturedStart() - end) + "%" + QString::number(numbers.size());
-    end = match.capturedEnd();
-  }
-  pattern += text.mid(end);
-  QString translated = QCoreApplication::translate("figures", pattern.toUtf8().constData());
-  if (translated == pattern) return std::string(english);
-  for (const auto& n : numbers) translated = translated.arg(n);
-  return translated.toStdString();
+  return with_its_numbers("figures", QString::fromUtf8(english.data(), static_cast<int>(english.size()))).toStdString();
 }
 
 std::string chinese_font() {

@@ -90,6 +90,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
 
   // What lies over the picture, one list for each layer ("rows", "measurements").
   void set_drawings(const std::string& layer, std::vector<SceneDrawing> drawings);
+  const std::vector<SceneDrawing>& drawings(const std::string& layer) const;
+  const std::vector<render::StemShape>& stem_shapes() const { return shapes_; }
   QPoint place_of(const Eigen::Vector3d& world);  // in the widget; (-1, -1) behind the eye
 
   // The cameras of views, in the axes of the survey; a click on one selects its view.
@@ -122,6 +124,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void outline_taken(const SceneOutline& outline);
   void place_taker_changed(const QObject* taker);
   void drawing_clicked(const QString& layer, int drawing);
+  void drawings_changed(const QString& layer);
   void grip_dragged(const QString& layer, int drawing, int grip, const Eigen::Vector3d& at, bool released);
   void menu_asked(const QPoint& global);  // by a right click
   void settings_changed();                // by the view: handles of the clip box, another survey
@@ -203,6 +206,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::optional<std::uint32_t> picked_;
   QStringList facts_;
 
+  static constexpr int rest_ms = 150;  // without a movement, until all points are drawn
   QTimer rest_;
   bool moving_ = false, complete_ = true, timed_ = false;
   const QObject* place_taker_ = nullptr;

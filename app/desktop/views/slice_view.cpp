@@ -6,23 +6,20 @@
 #include <cmath>
 
 #include "base/angles.h"
+#include "document/cell_words.h"
 #include "look/pixels.h"
+#include "look/text_lines.h"
 #include "render/charts/columns.h"
 #include "views/figure_picture.h"
 
 namespace bole::desktop {
 namespace {
 
+constexpr double reasons_margin_mm = 3;
+constexpr std::size_t max_reason_lines = 3;
 constexpr double circle_grip_px = 8, min_radius_m = 0.01, max_radius_m = 2.5;
 constexpr double start_error_m = 0.05, max_sigma_m = 0.025,
                  same_height_m = 0.05;  // of the fit: as stems.edit fits an added stem
-
-QString quality_text(const std::string& quality) {
-  if (quality == "good") return SliceView::tr("good");
-  if (quality == "fair") return SliceView::tr("fair");
-  if (quality == "poor") return SliceView::tr("poor");
-  return QString::fromStdString(quality);
-}
 
 std::vector<Eigen::Vector2d> points_near(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& centre,
                                          double radius_m) {
@@ -33,11 +30,9 @@ std::vector<Eigen::Vector2d> points_near(const std::vector<Eigen::Vector2d>& poi
 }
 
 // What a person decided; empty for what the program found.
-QString state_text(const std::string& state) {
-  if (state == "accepted") return SliceView::tr("accepted");
-  if (state == "rejected") return SliceView::tr("rejected");
-  if (state == "edited") return SliceView::tr("edited");
-  return {};
+QString decision(const std::string& state) {
+  const bool decided = state == "accepted" || state == "rejected" || state == "edited";
+  return decided ? cell_words("state", QString::fromStdString(state)) : QString();
 }
 
 }  // namespace
@@ -131,10 +126,13 @@ void SliceView::write_lines() {
   const auto number = [&](const char* name) { return render::numbers_or_nan(stems, name)[row]; };
   const auto text = [](const QString& s) { return s.toStdString(); };
   const auto digits = [](double v, int decimals) { return QString::fromStdString(render::fixed(v, decimals)); };
-  QString tree = tr("Tree %1   %2").arg(stem_->tree_id).arg(quality_text(data_.quality));
-  if (const auto decided = state_text(render::texts_or_empty(stems, "state")[row]); !decided.isEmpty())
+  QString tree =
+      tr("Tree %1   %2").arg(stem_->tree_id).arg(cell_words("quality", QString::fromStdString(data_.quality)));
+  if (const auto decided = decision(render::texts_or_empty(stems, "state")[row]); !decided.isEmpty())
     tree += "   " + decided;
   data_.lines = {text(tree)};
+  const QString reasons = cell_words("reasons", QString::fromStdString(render::texts_or_empty(stems, "reasons")[row]));
+  setToolTip(reasons);
   const double lo = number("dbh_lo_cm"), hi = number("dbh_hi_cm");
   QString measured = tr("DBH %1 cm").arg(digits(number("dbh_cm"), 1));
   if (std::isfinite(lo + hi)) measured += "   " + tr("95 %: %1 to %2").arg(digits(lo, 1), digits(hi, 1));
@@ -153,7 +151,8 @@ void SliceView::write_lines() {
   else if (std::abs(cut_.height_m - cut_.breast_height_m) >= same_height_m)
     data_.lines.push_back(text(tr("no circle fits the points here")));
   else
-    data_.lines.push_back(render::texts_or_empty(stems, "reasons")[row]);
+    for (auto& line : text_lines(reasons, sheet().width() * mm_per_px - reasons_margin_mm, max_reason_lines))
+      data_.lines.push_back(std::move(line));
 }
 
 QRect SliceView::sheet() const { return rect().adjusted(0, height_->sizeHint().height() + 4, 0, 0); }
@@ -282,6 +281,7 @@ void SliceView::resizeEvent(QResizeEvent*) {
   const int h = height_->sizeHint().height(), w = std::min(130, (width() - 12) / 2);
   height_->setGeometry(4, 2, w, h);
   thickness_->setGeometry(8 + w, 2, w, h);
+  if (stem_) write_lines();
 }
 
 void SliceView::paintEvent(QPaintEvent*) {

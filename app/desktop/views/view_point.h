@@ -1,15 +1,10 @@
 // Where the 3-D view is seen from, to come back to it.
 #pragma once
 
-#include <Eigen/Core>
+#include "render/scene/view_point.h"
 
 namespace bole::desktop {
 
-struct ViewPoint {
-  Eigen::Vector3d eye = Eigen::Vector3d::Zero(), centre = Eigen::Vector3d::Zero();  // world coordinates, metres
-  Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
-  bool parallel = false;
-  double half_height_m = 1;  // of what a parallel view shows
-};
+using render::ViewPoint;
 
 }  // namespace bole::desktop

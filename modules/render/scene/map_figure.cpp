@@ -16,6 +16,7 @@
 #include "cloud/breast_height.h"
 #include "render/draw/figure.h"
 #include "render/draw/furniture.h"
+#include "render/draw/shrink.h"
 #include "render/scene/actors.h"
 #include "render/scene/eye_dome.h"
 #include "render/scene/thin.h"
@@ -118,30 +119,6 @@ std::vector<Eigen::Vector3d> outline_points(const PointCloud& cloud, const View&
   return points;
 }
 
-// Means of squares of pixels, rows turned to run from the top.
-Image shrunk(vtkUnsignedCharArray* rgb, int width, int height, int samples) {
-  const auto supersampling = static_cast<unsigned>(samples);
-  Image image{width, height,
-              std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height))};
-  const auto* source = rgb->GetPointer(0);
-  const std::size_t row = std::size_t{3} * static_cast<std::size_t>(width) * supersampling;
-  auto* target = image.rgba.data();
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        unsigned sum = 0;
-        for (std::size_t sy = 0; sy < supersampling; ++sy)
-          for (std::size_t sx = 0; sx < supersampling; ++sx)
-            sum += source[(static_cast<std::size_t>(height - 1 - y) * supersampling + sy) * row +
-                          3 * (static_cast<std::size_t>(x) * supersampling + sx) + c];
-        *target++ =
-            static_cast<std::uint8_t>((sum + supersampling * supersampling / 2) / (supersampling * supersampling));
-      }
-      *target++ = 255;
-    }
-  return image;
-}
-
 double grid_step(const Extent& extent) {
   return nice_step(std::max(extent.hi.x() - extent.lo.x(), extent.hi.y() - extent.lo.y()), 8);
 }
@@ -211,7 +188,9 @@ std::pair<Image, Projection> render(const MapData& data, const MapOptions& optio
   shade_eye_dome({rgb->GetPointer(0), static_cast<std::size_t>(rgb->GetNumberOfValues())},
                  window_depths_m(window, renderer->GetActiveCamera()), width * supersampling, height * supersampling,
                  shading);
-  return {shrunk(rgb, width, height, supersampling), projection};
+  return {
+      shrunk({rgb->GetPointer(0), static_cast<std::size_t>(rgb->GetNumberOfValues())}, width, height, supersampling),
+      projection};
 }
 
 // Of an oblique picture as wide as the box: less than the box has where the scene is flat.

@@ -104,7 +104,7 @@ double bark_begins(const Foot& foot, const Stem& stem) {
 
 enum class Fault { none, below, in_air, filled };
 
-void lower(Stem& s, int steps, std::string reason) {
+void lower(Stem& s, int steps, Reason reason) {
   s.reasons.push_back(std::move(reason));
   if (steps == 1 && s.quality == "good") {
     s.quality = "fair";
@@ -117,18 +117,15 @@ void lower(Stem& s, int steps, std::string reason) {
 Fault check_foot(Stem& s, const Foot& foot, double breast_height_m) {
   const double begins = bark_begins(foot, s);
   if (begins < -max_depth_m) {
-    lower(s, 2,
-          fmt::format("goes on {:.1f} m below the terrain: the ground is wrong here, {:.1f} m is not breast height",
-                      -begins, breast_height_m));
+    lower(s, 2, {StemReason::below_terrain, {-begins, breast_height_m}});
     return Fault::below;
   }
   if (foot.ground_points >= min_ground_points) return Fault::none;
   if (begins > max_start_m) {
-    lower(s, 2,
-          fmt::format("begins {:.1f} m above a terrain that was not seen here: breast height is uncertain", begins));
+    lower(s, 2, {StemReason::above_unseen_terrain, {begins}});
     return Fault::in_air;
   }
-  lower(s, 1, fmt::format("no ground seen within {:.0f} m: the terrain is interpolated here", look_around_m));
+  lower(s, 1, {StemReason::no_ground_near, {look_around_m}});
   return Fault::filled;
 }
 

@@ -251,7 +251,7 @@ class Survey {
     if (!alignments_.empty())
       for (auto& s : out_.stems) restore_spread(s, alignments_);
     for (auto& s : out_.stems)
-      if (std::isfinite(s.fork_m)) s.reasons.push_back(fmt::format("forks at about {:.1f} m: counted once", s.fork_m));
+      if (std::isfinite(s.fork_m)) s.reasons.push_back({StemReason::forked, {s.fork_m}});
     check_ground(out_.stems, points_, breast_height_, run_, out_.report);
     number(out_);
   }

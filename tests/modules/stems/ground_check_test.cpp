@@ -49,7 +49,7 @@ const Finding* finding(const Report& report, const std::string& code) {
 
 std::size_t with_reason(const StemSurvey& survey, const std::string& words) {
   return static_cast<std::size_t>(std::ranges::count_if(survey.stems, [&](const Stem& s) {
-    return std::ranges::any_of(s.reasons, [&](const auto& r) { return r.find(words) != std::string::npos; });
+    return std::ranges::any_of(s.reasons, [&](const auto& r) { return r.text().find(words) != std::string::npos; });
   }));
 }
 

@@ -509,7 +509,7 @@ TEST(MeasureStems, FewPointsMakeNoGoodStem) {
   ASSERT_FALSE(survey.stems.empty());
   for (const auto& s : survey.stems) {
     EXPECT_NE(s.quality, "good") << s.inliers;
-    EXPECT_THAT(s.reasons, testing::Contains(testing::HasSubstr("few points")));
+    EXPECT_THAT(s.reasons, testing::Contains(testing::Property(&Reason::text, testing::HasSubstr("few points"))));
   }
   Stem s = survey.stems[0];
   s.inliers = points_for_a_diameter - 1;

@@ -58,9 +58,8 @@ FieldCheck::FieldCheck(Workbench& bench)
 void FieldCheck::make_commands() {
   bench_.commands().add(
       {.id = "field.load", .text = tr("Load field measurements…"), .places = {in_menu(Menu::stem, 1)}, .act = [this] {
-         const QString file =
-             QFileDialog::getOpenFileName(&bench_, tr("Load field measurements"), last_folder("open"),
-                                          tr("Tables (*.csv *.txt)"));
+         const QString file = QFileDialog::getOpenFileName(&bench_, tr("Load field measurements"), last_folder("open"),
+                                                           tr("Tables (*.csv *.txt)"));
          if (!file.isEmpty()) load(note_folder("open", file));
        }});
   bench_.commands().add(
@@ -124,6 +123,7 @@ void FieldCheck::load(const QString& file, const FieldMapping& mapping, const st
                           with_field_list(bench_.session().document(), file.toStdString(), mapping, align));
   bench_.docks().raise("field_check");
   bench_.chart().show_chart("field");
+  bench_.docks().raise("chart");
   bench_.refresh();
 }
 

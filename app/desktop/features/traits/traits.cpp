@@ -8,6 +8,7 @@
 #include <QTabWidget>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "features/traits/plant_editor.h"
@@ -20,6 +21,7 @@
 namespace bole::desktop {
 namespace {
 
+constexpr int max_needed_px = 400;  // of the width of a laptop
 const std::string traits_layer = "traits";
 
 QString text_of(const Table& table, const char* column) {
@@ -69,12 +71,12 @@ void Traits::make_dock() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(table, 1);
     for (auto* widget : below) layout->addWidget(widget);
-    auto* scroll = new QScrollArea(tabs_);  // the form is high: a laptop shows a part of it
+    auto* scroll = new QScrollArea(tabs_);  // the form is large: a laptop shows a part of it
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(both);
-    scroll->setMinimumWidth(both->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+    const int whole_px = both->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width();
+    scroll->setMinimumWidth(std::min(whole_px, max_needed_px));
     tabs_->addTab(scroll, title);
   };
   how_ = new QLabel(tabs_);

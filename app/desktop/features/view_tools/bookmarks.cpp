@@ -4,9 +4,6 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QInputDialog>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QMenu>
 #include <algorithm>
 
@@ -18,22 +15,6 @@ namespace bole::desktop {
 namespace {
 
 constexpr int bookmark_section = 1;  // of the menu View
-
-QJsonArray json_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-Eigen::Vector3d vector_in(const QJsonObject& object, const char* key) {
-  const auto a = object.value(key).toArray();
-  return {a.at(0).toDouble(), a.at(1).toDouble(), a.at(2).toDouble()};
-}
-
-QJsonObject json_of(const QString& name, const ViewPoint& point) {
-  return {{"name", name},
-          {"eye", json_of(point.eye)},
-          {"centre", json_of(point.centre)},
-          {"up", json_of(point.up)},
-          {"parallel", point.parallel},
-          {"half_height_m", point.half_height_m}};
-}
 
 }  // namespace
 
@@ -104,18 +85,16 @@ void Bookmarks::load() {
   list_.clear();
   QFile stored(file());
   if (!stored.open(QIODevice::ReadOnly)) return;
-  for (const auto& value : QJsonDocument::fromJson(stored.readAll()).array()) {
-    const auto object = value.toObject();
-    const ViewPoint point{vector_in(object, "eye"), vector_in(object, "centre"), vector_in(object, "up"),
-                          object.value("parallel").toBool(), object.value("half_height_m").toDouble(1)};
-    if (point.eye != point.centre) list_.emplace_back(object.value("name").toString(), point);
-  }
+  bench_.guarded([&] {
+    for (const auto& [name, view] : render::parse_views(stored.readAll().toStdString()))
+      list_.emplace_back(QString::fromStdString(name), view);
+  });
 }
 
 void Bookmarks::store() const {
-  QJsonArray all;
-  for (const auto& [name, point] : list_) all.append(json_of(name, point));
-  write_text_file(file().toStdString(), QJsonDocument(all).toJson().toStdString());
+  std::vector<render::NamedView> views;
+  for (const auto& [name, view] : list_) views.push_back({name.toStdString(), view});
+  write_text_file(file().toStdString(), render::views_json(views));
 }
 
 }  // namespace bole::desktop

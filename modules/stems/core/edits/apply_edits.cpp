@@ -12,6 +12,7 @@
 #include "stems/core/edits/relabel_points.h"
 #include "stems/core/edits/table_rows.h"
 #include "stems/core/fit/circle_fit.h"
+#include "stems/core/fit/stem_reasons.h"
 
 namespace bole::stems {
 namespace {
@@ -209,12 +210,12 @@ class Editor {
     relabels_.push_back(std::move(step));
   }
 
-  std::size_t new_stem(const Vector2d& at, double dbh_cm, const std::string& how) {
+  std::size_t new_stem(const Vector2d& at, double dbh_cm, const Reason& how) {
     const auto row = stems_.add();
     stems_.set(row, "tree_id", ++last_id_);
     stems_.set(row, "x_m", at.x()), stems_.set(row, "y_m", at.y()), stems_.set(row, "z_m", ground_at(at));
     set_diameter(row, dbh_cm);
-    stems_.set(row, "quality", "fair"), stems_.set(row, "reasons", how);
+    stems_.set(row, "quality", "fair"), stems_.set(row, "reasons", how.text());
     decided(row, "edited");
     return row;
   }
@@ -230,7 +231,7 @@ class Editor {
       const auto fitted = fit_at(edit.at);
       at = fitted.centre, dbh_cm = 200 * fitted.radius;
     }
-    const auto row = new_stem(at, dbh_cm, edit.dbh_cm ? "added by hand" : "added by hand, circle fitted to the slice");
+    const auto row = new_stem(at, dbh_cm, edit.dbh_cm ? StemReason::added : StemReason::added_and_fitted);
     if (edit.height_m) set_height(row, *edit.height_m);
     tree_ = id_of(row);
     Relabel claim;
@@ -246,7 +247,7 @@ class Editor {
                  bound = stems_.number(row, "height_lower_bound_m");
     const auto seen = stems_.integer(row, "height_seen");
     for (const auto& part : edit.into) {
-      const auto added = new_stem(part.at, part.dbh_cm, fmt::format("split from {} by hand", id_of(row)));
+      const auto added = new_stem(part.at, part.dbh_cm, {StemReason::split, {static_cast<double>(id_of(row))}});
       stems_.set(added, "z_m", ground), stems_.set(added, "height_m", height), stems_.set(added, "height_seen", seen);
       stems_.set(added, "height_lower_bound_m", bound);
       step.to.push_back({static_cast<std::int32_t>(id_of(added)), part.at});

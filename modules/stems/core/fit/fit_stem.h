@@ -11,6 +11,7 @@
 #include "cloud/raster.h"
 #include "stems/core/detect/stem_candidates.h"
 #include "stems/core/fit/cylinder_fit.h"
+#include "stems/core/fit/stem_reasons.h"
 
 namespace bole::stems {
 
@@ -79,7 +80,7 @@ struct Stem {
   std::vector<Section> sections;
   StemCandidate candidate;
   std::string quality, state;
-  std::vector<std::string> reasons;
+  std::vector<Reason> reasons;
 };
 
 struct StemFitResult {

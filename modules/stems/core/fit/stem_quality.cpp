@@ -1,7 +1,6 @@
 #include "stems/core/fit/stem_quality.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,46 +37,39 @@ void judge(Stem& s, double breast_height_m) {
   s.reasons.clear();
   int doubts = 0, blurs = 0;  // whether it is a stem; how well its bark is mapped
   int sparse = 0;             // how little is known of its diameter
-  const auto fault = [&](int weight, std::string text) { doubts += weight, s.reasons.push_back(std::move(text)); };
-  const auto blur = [&](int weight, std::string text) { blurs += weight, s.reasons.push_back(std::move(text)); };
+  const auto fault = [&](int weight, Reason why) { doubts += weight, s.reasons.push_back(std::move(why)); };
+  const auto blur = [&](int weight, Reason why) { blurs += weight, s.reasons.push_back(std::move(why)); };
   const double half_cm = 100 * (s.radius_high - s.radius_low), arc_deg = s.arc_rad * deg_per_rad;
   if (arc_deg < 150)
-    fault(arc_deg < 100 ? 2 : 1, fmt::format("only {:.0f} deg of the bark seen", arc_deg));
+    fault(arc_deg < 100 ? 2 : 1, {StemReason::short_arc, {arc_deg}});
   else if (!s.rays_known && arc_deg < 200)
-    fault(1, fmt::format("{:.0f} deg of the bark seen and no sensor positions: the diameter may be biased", arc_deg));
+    fault(1, {StemReason::arc_without_rays, {arc_deg}});
   if (half_cm > std::max(1.0, 16 * s.radius))
-    blur(half_cm > std::max(2.0, 32 * s.radius) ? 2 : 1, fmt::format("wide interval: +-{:.1f} cm", half_cm));
+    blur(half_cm > std::max(2.0, 32 * s.radius) ? 2 : 1, {StemReason::wide_interval, {half_cm}});
   else if (half_cm > std::max(1.0, 8 * s.radius)) {  // no reason to give the stem up
     ++sparse;
-    s.reasons.push_back(fmt::format("wide interval: +-{:.1f} cm", half_cm));
+    s.reasons.push_back({StemReason::wide_interval, {half_cm}});
   }
   if (const int each = s.inliers / std::max(1, s.sections_used);
       s.inliers < points_for_a_diameter || each < enough_per_section) {
     sparse += s.inliers < points_for_a_diameter || each < few_per_section ? 2 : 1;
-    s.reasons.push_back(fmt::format("few points: {} on the bark, {} in each section", s.inliers, each));
+    s.reasons.push_back({StemReason::few_points, {static_cast<double>(s.inliers), static_cast<double>(each)}});
   }
   if (s.lowest > breast_height_m + 0.15 || s.highest < breast_height_m - 0.15)
-    fault(2, fmt::format("breast height hidden: extrapolated from {:.1f} to {:.1f} m", s.lowest, s.highest));
+    fault(2, {StemReason::extrapolated, {s.lowest, s.highest}});
   else if (const auto [below, above] = sections_beside(s, breast_height_m); above - below > widest_gap_m)
-    fault(1, fmt::format("breast height hidden: interpolated between {:.1f} and {:.1f} m", below, above));
+    fault(1, {StemReason::interpolated, {below, above}});
   else if (s.sections_used < 5)
-    fault(1, fmt::format("only {} sections", s.sections_used));
-  if (s.inside_share > 0.10)
-    blur(s.inside_share > 0.25 ? 2 : 1, fmt::format("{:.0f} % of the points lie inside", 100 * s.inside_share));
-  if (s.contrary_arc_rad > 0)
-    blur(1,
-         fmt::format("on {:.0f} deg of the bark the points lie inside the circle", s.contrary_arc_rad * deg_per_rad));
-  if (s.contrast < 6)
-    blur(s.contrast < 3 ? 2 : 1,
-         fmt::format("the bark hardly stands out: {:.1f} times as dense as beside it", s.contrast));
-  if (s.sigma_m > 0.02)
-    blur(s.sigma_m > 0.03 ? 2 : 1, fmt::format("rough or blurred bark: {:.1f} cm", 100 * s.sigma_m));
-  if (s.pass_spread_m > 0.05) blur(1, fmt::format("passes disagree by {:.0f} cm", 100 * s.pass_spread_m));
-  if (s.taper > 0.01) blur(1, "wider above than below");
-  if (s.ray_through > 0.1)
-    fault(s.ray_through > 0.2 ? 2 : 1, fmt::format("{:.0f} % of the rays pass through", 100 * s.ray_through));
+    fault(1, {StemReason::few_sections, {static_cast<double>(s.sections_used)}});
+  if (s.inside_share > 0.10) blur(s.inside_share > 0.25 ? 2 : 1, {StemReason::points_inside, {100 * s.inside_share}});
+  if (s.contrary_arc_rad > 0) blur(1, {StemReason::arc_inside, {s.contrary_arc_rad * deg_per_rad}});
+  if (s.contrast < 6) blur(s.contrast < 3 ? 2 : 1, {StemReason::low_contrast, {s.contrast}});
+  if (s.sigma_m > 0.02) blur(s.sigma_m > 0.03 ? 2 : 1, {StemReason::rough_bark, {100 * s.sigma_m}});
+  if (s.pass_spread_m > 0.05) blur(1, {StemReason::passes_disagree, {100 * s.pass_spread_m}});
+  if (s.taper > 0.01) blur(1, {StemReason::wider_above});
+  if (s.ray_through > 0.1) fault(s.ray_through > 0.2 ? 2 : 1, {StemReason::rays_through, {100 * s.ray_through}});
   if (const double lean = std::acos(std::min(1.0, s.direction.z())) * deg_per_rad; lean > 15)
-    s.reasons.push_back(fmt::format("leans {:.0f} deg", lean));
+    s.reasons.push_back({StemReason::leaning, {lean}});
   s.doubts = certainly_stands(s) ? doubts : doubts + blurs;
   // Only at a fork does a stem widen upward like this: somebody should look, but it need not go.
   const int faults = doubts + blurs + sparse + (s.taper > max_widening ? 1 : 0);
@@ -103,7 +95,7 @@ std::optional<std::string> objection(const Stem& s, const MeasureOptions& option
         s.unbroken_arc_rad * deg_per_rad, options.min_arc_deg);
   if (s.inside_share > 0.5)
     return fmt::format("{:.0f} % of its points lie inside the circle: not a surface", 100 * s.inside_share);
-  if (s.doubts >= max_doubts) return fmt::format("too doubtful: {}", fmt::join(s.reasons, "; "));
+  if (s.doubts >= max_doubts) return "too doubtful: " + joined(s.reasons);
   if (s.radius_high - s.radius_low > 1.2 * s.radius)
     return fmt::format("the diameter is uncertain by more than half of it ({:.0f} to {:.0f} cm)", 200 * s.radius_low,
                        200 * s.radius_high);

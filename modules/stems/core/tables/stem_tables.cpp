@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <cmath>
 #include <numbers>
 
@@ -11,8 +8,6 @@
 
 namespace bole::stems {
 namespace {
-
-std::string joined(const std::vector<std::string>& texts) { return fmt::format("{}", fmt::join(texts, "; ")); }
 
 double lean_deg(const Stem& s) { return std::acos(std::clamp(s.direction.z(), -1.0, 1.0)) * deg_per_rad; }
 

@@ -1,0 +1,43 @@
+// A vertical slab of a survey along a line in plan: what the view of cross-sections shows.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "document/survey.h"
+#include "render/charts/cross_section.h"
+#include "render/scene/point_paint.h"
+#include "render/scene/stem_shapes.h"
+
+namespace bole::desktop {
+
+// World coordinates, metres. Seen so that `from` is on the left.
+struct SectionLine {
+  Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = Eigen::Vector2d::UnitX();
+  double width_m = 1;  // half of it before the line, half behind
+
+  double length_m() const { return (to - from).norm(); }
+  Eigen::Vector2d direction() const { return (to - from).normalized(); }
+  Eigen::Vector2d behind() const { return {-direction().y(), direction().x()}; }  // unit, away from who looks
+  Eigen::Vector2d along_and_off(const Eigen::Vector2d& plan) const;               // metres along and behind the line
+  bool holds(const Eigen::Vector2d& plan) const;
+  SectionLine shifted(double metres) const;  // behind
+};
+
+struct CrossSection {
+  render::CrossSectionData drawn;
+  std::vector<std::uint32_t> indices;  // in the cloud, of drawn.points
+  std::size_t found = 0;               // points in the slab; more than are drawn where there are very many
+};
+
+CrossSection cut_through(const Survey& survey, const SectionLine& line, const render::PointPaint& paint,
+                         const std::vector<render::StemShape>& stems);
+
+// A line across a path at a distance from its beginning, `half_m` to either side; nothing beyond its ends, or where the
+// path is a point.
+std::optional<SectionLine> line_across(const std::vector<Eigen::Vector2d>& path, double at_m, double half_m,
+                                       double width_m);
+double path_length_m(const std::vector<Eigen::Vector2d>& path);
+
+}  // namespace bole::desktop

@@ -1,0 +1,261 @@
+#include "features/section/section.h"
+
+#include <QDockWidget>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QTimer>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "views/scene_view.h"
+#include "views/section_view.h"
+#include "workbench/workbench.h"
+
+namespace bole::desktop {
+namespace {
+
+const std::string section_layer = "section", measured_layer = "measurements";
+constexpr double shortest_line_m = 0.05, line_above_ground_m = 0.05;
+constexpr int cut_after_ms = 30;
+
+}  // namespace
+
+SectionTool::SectionTool(Workbench& bench)
+    : QObject(&bench), bench_(bench), view_(new SectionView(&bench)), where_(new QLabel), soon_(new QTimer(this)) {
+  make_commands();
+  make_dock();
+  soon_->setSingleShot(true);
+  connect(soon_, &QTimer::timeout, this, [this] { cut(!std::exchange(moved_, false)); });
+  auto& scene = bench_.scene();
+  connect(&bench_, &Workbench::document_opened, this, &SectionTool::clear);
+  connect(&bench_, &Workbench::preview_shown, this, [this] {
+    survey_ = bench_.scene().survey();
+    cut_soon();
+  });
+  connect(&bench_, &Workbench::survey_shown, this, [this](const Survey& survey) {
+    survey_ = bench_.visibility().survey_for(ViewKind::cuts, survey);
+    cut_soon();
+  });
+  connect(&scene, &SceneView::settings_changed, this, &SectionTool::cut_soon);
+  connect(&scene, &SceneView::index_built, this, &SectionTool::cut_soon);
+  connect(&scene, &SceneView::drawings_changed, this, [this](const QString& layer) {
+    if (layer.toStdString() == measured_layer) draw_measurements();
+  });
+  connect(&scene, &SceneView::place_taken, this, [this](const Eigen::Vector3d& place) {
+    if (drawing_) bench_.guarded([&] { take(place); });
+  });
+  connect(&scene, &SceneView::place_taker_changed, this, [this](const QObject* taker) {
+    if (taker == this || !drawing_) return;
+    drawing_ = false;
+    first_.reset();
+    bench_.hint({});
+    bench_.commands().update();
+    draw_in_scene();
+  });
+  connect(&scene, &SceneView::grip_dragged, this,
+          [this](const QString& layer, int, int grip, const Eigen::Vector3d& at, bool released) {
+            if (layer.toStdString() == section_layer) drag(grip, at, released);
+          });
+  connect(&bench_.selection(), &Selection::changed, this,
+          [this] { view_->select(bench_.selection().tree().value_or(0)); });
+  connect(view_, &SectionView::clicked, this, &SectionTool::click);
+}
+
+void SectionTool::draw_line(bool on) {
+  drawing_ = on;
+  first_.reset();
+  bench_.scene().set_place_taker(on ? this : nullptr);
+  bench_.commands().update();
+  bench_.hint(on ? tr("Click where the section begins, on the left.") : QString());
+}
+
+void SectionTool::take(const Eigen::Vector3d& place) {
+  const Eigen::Vector2d plan = place.head<2>();
+  if (!first_) {
+    first_ = plan;
+    bench_.hint(tr("Click where the section ends."));
+    return draw_in_scene();
+  }
+  if ((plan - *first_).norm() < shortest_line_m) return bench_.say(tr("The line is too short. Click its end again."));
+  const SectionLine line{*first_, plan, width_->value()};
+  draw_line(false);
+  show(line);
+}
+
+void SectionTool::show(const SectionLine& line) {
+  path_.clear();
+  put(line, false);
+  bench_.docks().raise("section");
+}
+
+void SectionTool::put(const SectionLine& line, bool keep_sight) {
+  line_ = line;
+  moved_ = !keep_sight;
+  const QSignalBlocker quiet_width(width_), quiet_length(length_);
+  width_->setValue(line.width_m);
+  length_->setValue(line.length_m());
+  draw_in_scene();
+  show_where();
+  bench_.commands().update();
+  cut_soon();
+}
+
+void SectionTool::drag(int grip, const Eigen::Vector3d& at, bool released) {
+  if (!line_) return;
+  SectionLine line = *line_;
+  (grip == 0 ? line.from : line.to) = at.head<2>();
+  if (line.length_m() < shortest_line_m) return draw_in_scene();
+  path_.clear();
+  put(line, !released);
+}
+
+void SectionTool::follow(std::vector<Eigen::Vector2d> path) {
+  if (path_length_m(path) < shortest_line_m)
+    throw bad_input("the path is shorter than " + std::to_string(shortest_line_m) + " m",
+                    "a walk or a row with a length");
+  path_ = std::move(path);
+  put_on_path(0);
+  bench_.docks().raise("section");
+}
+
+void SectionTool::put_on_path(double at_m) {
+  const auto line = line_across(path_, at_m, length_->value() / 2, width_->value());
+  if (!line) return bench_.hint(tr("The path ends here."));
+  const bool keep = line_.has_value();
+  at_m_ = at_m;
+  put(*line, keep);
+}
+
+void SectionTool::across_walk() {
+  if (!survey_.walk || survey_.walk->poses.size() < 2)
+    throw bad_input("the survey has no walk", "a scan that was recorded while walking");
+  std::vector<Eigen::Vector2d> path;
+  for (const auto& pose : survey_.walk->poses) path.emplace_back(pose.T_target_sensor.translation().head<2>());
+  follow(std::move(path));
+}
+
+// As the stages write it: its course where it bends, else from end to end.
+std::vector<Eigen::Vector2d> SectionTool::selected_row() const {
+  const auto id = bench_.selection().row();
+  std::vector<Eigen::Vector2d> path;
+  if (!id || !survey_.rows) throw bad_input("no row is selected", "one row of plants", "Click it in the table of rows");
+  if (survey_.lines && survey_.lines->has("row_id")) {
+    const auto x = survey_.lines->numbers("x_m"), y = survey_.lines->numbers("y_m");
+    for (std::size_t i = 0; i < x.size(); ++i)
+      if (survey_.lines->text("row_id", i) == *id) path.emplace_back(x[i], y[i]);
+  }
+  if (path.size() > 1) return path;
+  const auto& rows = *survey_.rows;
+  for (std::size_t i = 0; i < rows.rows(); ++i)
+    if (rows.text("row_id", i) == *id)
+      return {{rows.numbers("x0_m")[i], rows.numbers("y0_m")[i]}, {rows.numbers("x1_m")[i], rows.numbers("y1_m")[i]}};
+  throw bad_input("row " + *id + " is not in the table of rows", "one that is", "Run the pipeline again");
+}
+
+void SectionTool::across_row() { follow(selected_row()); }
+
+void SectionTool::along_row() {
+  const auto row = selected_row();
+  show({row.front(), row.back(), width_->value()});
+}
+
+void SectionTool::step(int by) {
+  if (!line_) return;
+  if (path_.empty())
+    put(line_->shifted(by * line_->width_m), true);
+  else
+    put_on_path(at_m_ + by * line_->width_m);
+}
+
+void SectionTool::clear() {
+  line_.reset();
+  path_.clear();
+  view_->show_section({}, false);
+  dock_->hide();
+  draw_in_scene();
+  show_where();
+  bench_.commands().update();
+}
+
+void SectionTool::cut_soon() {
+  if (line_) soon_->start(cut_after_ms);  // steps that come fast are cut once
+}
+
+void SectionTool::cut(bool keep_sight) {
+  if (!line_) return;
+  view_->set_point_size(bench_.scene().settings().point_size_px);
+  if (!survey_.points) survey_ = bench_.scene().survey();
+  view_->show_section(cut_through(survey_, *line_, bench_.scene().paint(), bench_.scene().stem_shapes()), keep_sight);
+  view_->select(bench_.selection().tree().value_or(0));
+  draw_in_scene();
+  draw_measurements();
+  show_where();
+}
+
+// Whoever takes places gets this one; else its tree is selected.
+void SectionTool::click(const std::optional<std::uint32_t>& point, std::int64_t stem) {
+  auto& scene = bench_.scene();
+  const bool known = point && survey_.points && *point < survey_.points->size();
+  if (scene.place_taker() != nullptr) {
+    if (!known || scene.survey().points != survey_.points)
+      return bench_.say(tr("There is no point here. Click one that is drawn."));
+    Q_EMIT scene.place_taken(exact_position(*survey_.points, *point), *point);
+    return;
+  }
+  std::int64_t tree = stem;
+  if (known && survey_.points->has(arrays::tree_id))
+    if (const auto of_point = survey_.points->values<std::int32_t>(arrays::tree_id)[*point]; of_point > 0)
+      tree = of_point;
+  if (tree > 0 && survey_.row_of(tree)) bench_.selection().select(tree);
+}
+
+void SectionTool::draw_in_scene() {
+  std::vector<SceneDrawing> drawings;
+  const double z = bench_.scene().whole().lo.z() + line_above_ground_m;
+  const auto on_ground = [z](const Eigen::Vector2d& plan) { return Eigen::Vector3d(plan.x(), plan.y(), z); };
+  if (line_) {
+    SceneDrawing d;
+    d.id = section_layer;
+    const auto near = line_->shifted(-line_->width_m / 2), far = line_->shifted(line_->width_m / 2);
+    d.lines = {
+        {on_ground(line_->from), on_ground(line_->to)},
+        {on_ground(near.from), on_ground(near.to), on_ground(far.to), on_ground(far.from), on_ground(near.from)}};
+    d.grips = {on_ground(line_->from), on_ground(line_->to)};
+    d.strong = true;
+    drawings.push_back(std::move(d));
+  }
+  if (first_) {
+    SceneDrawing d;
+    d.marks = {on_ground(*first_)};
+    drawings.push_back(std::move(d));
+  }
+  bench_.scene().set_drawings(section_layer, std::move(drawings));
+}
+
+// What was measured, as far as it lies in the slab.
+void SectionTool::draw_measurements() {
+  if (!line_) return;
+  std::vector<render::SectionMark> marks;
+  for (const auto& d : bench_.scene().drawings(measured_layer)) {
+    const bool within = !d.marks.empty() &&
+                        std::ranges::all_of(d.marks, [&](const auto& p) { return line_->holds(p.template head<2>()); });
+    if (!within) continue;
+    const auto place = [&](const Eigen::Vector3d& p) {
+      return Eigen::Vector2d(line_->along_and_off(p.head<2>()).x(), p.z());
+    };
+    render::SectionMark mark{{}, d.label, place(d.label_at), d.strong};
+    for (const auto& line : d.lines) {
+      mark.lines.emplace_back();
+      for (const auto& p : line) mark.lines.back().push_back(place(p));
+    }
+    for (const auto& p : d.marks) mark.lines.push_back({place(p)});
+    marks.push_back(std::move(mark));
+  }
+  view_->show_marks(std::move(marks));
+}
+
+void install_section(Workbench& bench) { new SectionTool(bench); }
+
+}  // namespace bole::desktop

@@ -1,0 +1,69 @@
+// Cross-sections: a line in the 3-D view with a width gives a profile beside it. It steps sideways by its width, or on
+// along the walk or the selected row; what measures in the 3-D view measures in it too.
+#pragma once
+
+#include <QObject>
+#include <optional>
+#include <vector>
+
+#include "document/cross_section.h"
+
+class QDockWidget;
+class QDoubleSpinBox;
+class QLabel;
+class QTimer;
+
+namespace bole::desktop {
+
+class SectionView;
+class Workbench;
+
+class SectionTool : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SectionTool(Workbench& bench);
+
+  const std::optional<SectionLine>& line() const { return line_; }
+  SectionView& view() { return *view_; }
+  void show(const SectionLine& line);  // a free one
+  void draw_line(bool on);             // by two clicks in the 3-D view
+  void across_walk();                  // throw bole::Error where there is none
+  void across_row();                   // the selected one
+  void along_row();
+  void step(int by);  // by its width: along its path, else sideways
+  void clear();
+  void save(const QString& path) const;  // PNG, SVG or PDF; throws bole::Error
+
+ private:
+  void make_dock();
+  void make_commands();
+  void take(const Eigen::Vector3d& place);
+  void drag(int grip, const Eigen::Vector3d& at, bool released);
+  void follow(std::vector<Eigen::Vector2d> path);
+  void put_on_path(double at_m);
+  void put(const SectionLine& line, bool keep_sight);
+  void cut(bool keep_sight);
+  void cut_soon();
+  void click(const std::optional<std::uint32_t>& point, std::int64_t stem);
+  void draw_in_scene();
+  void draw_measurements();
+  void show_where();
+  std::vector<Eigen::Vector2d> selected_row() const;
+
+  Workbench& bench_;
+  SectionView* view_;
+  QDockWidget* dock_ = nullptr;
+  QLabel* where_;
+  QDoubleSpinBox *width_, *length_;
+  QTimer* soon_;
+  Survey survey_;  // what cuts show of it
+  std::optional<SectionLine> line_;
+  std::vector<Eigen::Vector2d> path_;  // that the line is stepped along; empty: it is free
+  double at_m_ = 0;                    // of the path
+  std::optional<Eigen::Vector2d> first_;
+  bool drawing_ = false;
+  bool moved_ = false;  // another line since the last cut
+};
+
+}  // namespace bole::desktop

@@ -1,0 +1,121 @@
+// How a frame of the 3-D view is drawn: as many points as there is time for, then legend, scale bar, numbers and
+// drawings over it.
+#include <vtkCamera.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "look/pixels.h"
+#include "render/scene/eye_dome.h"
+#include "views/scene_camera.h"
+#include "views/scene_view.h"
+
+namespace bole::desktop {
+namespace {
+
+constexpr FramePace::Budget at_rest{4'000'000, 500'000};
+
+}  // namespace
+
+// Not before the window is there: VTK would make a context of its own.
+void SceneView::redraw() {
+  if (isValid()) renderWindow()->Render();
+}
+
+void SceneView::begin_motion() {
+  moving_ = true;
+  rest_.start(rest_ms);
+}
+
+// What the eye saw from another place does not fit any more.
+void SceneView::follow_eye() {
+  auto* camera = renderer_->GetActiveCamera();
+  std::vector<double> now{camera->GetViewAngle(),
+                          camera->GetParallelProjection() != 0 ? camera->GetParallelScale() : 0};
+  for (const double* v : {camera->GetPosition(), camera->GetFocalPoint(), camera->GetViewUp()})
+    now.insert(now.end(), v, v + 3);
+  for (const double v : {origin_.x(), origin_.y(), origin_.z()}) now.push_back(v);
+  for (const int k : {0, 1}) now.push_back(renderWindow()->GetSize()[k]);
+  if (now == last_eye_) return;
+  last_eye_ = std::move(now);
+  if (std::exchange(rendering_, false)) furniture_.hide_picture();
+  QMetaObject::invokeMethod(this, &SceneView::eye_moved, Qt::QueuedConnection);
+}
+
+void SceneView::show_rendering(const ColorImage& picture) {
+  const int* size = renderWindow()->GetSize();
+  furniture_.show_picture(picture, size[0], size[1]);
+  rendering_ = true;
+  redraw();
+}
+
+void SceneView::hide_rendering() {
+  if (!std::exchange(rendering_, false)) return;
+  furniture_.hide_picture();
+  redraw();
+}
+
+void SceneView::before_frame() {
+  follow_eye();
+  frame_start_ = std::chrono::steady_clock::now();
+  timed_ = moving_;
+  const auto budget = moving_ ? pace_.next() : at_rest;
+  complete_ = layer_.update(renderer_, budget.points, budget.fresh);
+  renderer_->ResetCameraClippingRange();
+  furniture_.set_shadow({}, 0, 0);
+  place_furniture();
+}
+
+void SceneView::after_frame() {
+  if (moving_) return rest_.start(rest_ms);
+  if (!complete_) return rest_.start(0);
+  if (!settings_.eye_dome || rendering_) return;
+  const int* size = renderWindow()->GetSize();
+  render::EyeDomeOptions shading;
+  shading.radius_px = 1.6 * devicePixelRatioF();
+  furniture_.set_shadow(render::eye_dome_shadow(render::window_depths_m(renderWindow(), renderer_->GetActiveCamera()),
+                                                size[0], size[1], shading),
+                        size[0], size[1]);
+}
+
+// The picture is on the screen: all that a frame costs has been paid.
+void SceneView::frame_shown() {
+  if (!std::exchange(timed_, false)) return;
+  pace_.note(std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_start_).count(), layer_.drawn(),
+             layer_.fresh(), !complete_);
+}
+
+double SceneView::draw_moving_frame() {
+  moving_ = true;
+  renderWindow()->Render();
+  renderWindow()->WaitForCompletion();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_start_).count();
+}
+
+void SceneView::place_furniture() {
+  render::ViewFurniture f;
+  f.width_mm = width() * mm_per_px;
+  f.height_mm = height() * mm_per_px;
+  if (settings_.legend && survey_.points && !survey_.points->empty() && !rendering_) f.paint = layer_.paint();
+  auto* camera = renderer_->GetActiveCamera();
+  const double half_m = half_height_m(camera);
+  if (settings_.scale_bar && has_survey() && half_m > 0) f.mm_per_metre = f.height_mm / 2 / half_m;
+  f.perspective = camera->GetParallelProjection() == 0;
+  f.grid_step_m = grid_step_m_;
+  f.north_rad = north_on_screen_rad(camera);
+  const Axes axes = survey_.points ? survey_.points->axes : Axes::unknown;
+  f.north = settings_.north && (axes == Axes::plot || axes == Axes::global);
+  for (const auto& fact : facts_) f.notes.push_back(fact.toStdString());
+  const auto view = pick_view();
+  const double mm = f.width_mm / std::max(1, renderWindow()->GetSize()[0]);  // a picture may have more pixels
+  add_trees(f, view, mm);
+  SceneDrawing mark;
+  if (picked_ && survey_.points && *picked_ < survey_.points->size()) mark.marks = {survey_.points->position(*picked_)};
+  add_to(f, mark, view, mm);
+  for (const auto& [layer, drawings] : drawings_)
+    for (const auto& drawing : drawings) add_to(f, drawing, view, mm);
+  furniture_.show(f, 1 / mm);
+}
+
+}  // namespace bole::desktop

@@ -1,0 +1,180 @@
+#include "report/flight/flythrough.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "base/atomic_file.h"
+#include "cloud/trajectory.h"
+#include "render/draw/figure.h"
+#include "render/offscreen/offscreen.h"
+#include "report/flight/video.h"
+
+namespace bole::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double prepared = 0.05, drawn = 0.9;  // shares of the work
+constexpr double frame_dpi = 96;
+constexpr const char *frame_folder = "flythrough", *video_file = "flythrough.mp4";
+
+std::vector<render::ViewPoint> stops_in(const std::string& file) {
+  if (file.empty()) return {};
+  std::ifstream in(file);
+  if (!in) throw bad_input("the views of " + file + " cannot be read", "a file of bookmarks, such as plot.views.json");
+  std::ostringstream text;
+  text << in.rdbuf();
+  std::vector<render::ViewPoint> stops;
+  for (const auto& named : render::parse_views(text.str())) stops.push_back(named.view);
+  return stops;
+}
+
+// A film of fewer frames than the one before has no frames of that one at its end.
+void clear_frames(const fs::path& folder) {
+  if (!fs::exists(folder)) return;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const auto name = entry.path().filename().string();
+    if (name.starts_with("frame_") && name.ends_with(".png")) fs::remove(entry.path());
+  }
+}
+
+pipeline::StageResult run_flythrough(const DataSet& inputs, const FlythroughOptions& o, const Run& run) {
+  if (run.output_dir.empty())
+    throw bad_input("there is no folder for the frames", "an output folder", "Give it with --out DIR");
+  render::MapData data;
+  data.points = &inputs.cloud("points");
+  if (inputs.has("stems")) data.stems = &inputs.table("stems");
+  if (inputs.has("sections")) data.sections = &inputs.table("sections");
+  if (inputs.has("trajectory")) data.trajectory = &inputs.trajectory("trajectory");
+  pipeline::StageResult result;
+  result.report = write_flythrough(data, flight_of(o, data.trajectory, stops_in(o.views)), o, run.output_dir, run);
+  return result;
+}
+
+}  // namespace
+
+const OptionTable& option_table(const FlythroughOptions*) {
+  using S = FlythroughOptions;
+  using Number = Option<S, double>;
+  static const OptionTable table = make_option_table<S>({
+      Option<S, FlightCourse>{"course", &S::course, Tier::basic,
+                              "Where the camera flies: along the walk of the sensor, or through bookmarked views."},
+      Option<S, std::string>{"views",
+                             &S::views,
+                             TextKind::input_path,
+                             {},
+                             Tier::basic,
+                             "File of bookmarked views that the window keeps beside a pipeline (plot.views.json)."},
+      Number{"seconds", &S::seconds, Unit::second, {0.1, 3600}, Tier::basic, "Length of the film."},
+      Number{"frame_rate", &S::frame_rate, Unit::none, {1, 120}, Tier::advanced, "Frames for each second."},
+      Option<S, int>{"width", &S::width, Unit::none, {16, 7680}, Tier::basic, "Width of a frame in pixels."},
+      Option<S, int>{"height", &S::height, Unit::none, {16, 4320}, Tier::basic, "Height of a frame in pixels."},
+      Option<S, render::PointColor>{"color", &S::color, Tier::basic, "What points are coloured by."},
+      Number{"point_size",
+             &S::point_size,
+             Unit::none,
+             {0.5, 20},
+             Tier::advanced,
+             "Size of a point in pixels of a frame 1080 pixels high."},
+      Option<S, bool>{"stems", &S::stems, Tier::basic, "Draw the fitted stems."},
+      Option<S, bool>{"walk", &S::walk, Tier::advanced, "Draw the path of the sensor."},
+      Option<S, bool>{"dark", &S::dark, Tier::basic, "Draw on a dark ground."},
+      Number{"above",
+             &S::above,
+             Unit::metre,
+             {-5, 100},
+             Tier::advanced,
+             "Height of the camera above the path of the sensor."},
+      Number{"ahead",
+             &S::ahead,
+             Unit::metre,
+             {0.5, 100},
+             Tier::advanced,
+             "Distance along the walk at which the camera looks. A larger value turns more gently."},
+      Option<S, bool>{"video", &S::video, Tier::basic,
+                      "Make a video of the frames where the program ffmpeg is installed: flythrough.mp4."},
+      OnlyIf{"course", {"views"}, {"views"}},
+      OnlyIf{"course", {"walk"}, {"above", "ahead"}},
+  });
+  return table;
+}
+
+std::size_t frames_of(const FlythroughOptions& options) {
+  return static_cast<std::size_t>(std::max(2L, std::lround(options.seconds * options.frame_rate)));
+}
+
+std::vector<render::ViewPoint> flight_of(const FlythroughOptions& options, const Trajectory* walk,
+                                         const std::vector<render::ViewPoint>& stops) {
+  if (options.course == FlightCourse::views) return render::flight_through(stops, frames_of(options));
+  if (walk == nullptr)
+    throw bad_input("there is no walk to fly along", "a trajectory",
+                    "Set course=views and give a file of bookmarked views");
+  render::WalkFlight along;
+  along.above_m = options.above;
+  along.ahead_m = options.ahead;
+  return render::flight_along(*walk, along, frames_of(options));
+}
+
+Report write_flythrough(const render::MapData& data, const std::vector<render::ViewPoint>& flight,
+                        const FlythroughOptions& options, const fs::path& folder, const Run& run) {
+  Report report;
+  render::FlightLook look;
+  look.width_px = options.width;
+  look.height_px = options.height;
+  look.color = options.color;
+  look.dark = options.dark;
+  look.stems = options.stems;
+  look.walk = options.walk;
+  look.point_px = options.point_size;
+  render::use_backend(render::Backend::automatic);
+  run.report(0, "points");
+  render::FlightScene scene(data, look, run);
+  const fs::path frames = folder / frame_folder;
+  clear_frames(frames);
+  for (std::size_t k = 0; k < flight.size(); ++k) {
+    run.check_cancel();
+    run.report(prepared + (drawn - prepared) * static_cast<double>(k) / static_cast<double>(flight.size()),
+               fmt::format("frame {} of {}", k + 1, flight.size()));
+    write_text_file(frames / fmt::format("frame_{:05}.png", k + 1),
+                    render::image_png(scene.frame(flight[k]), frame_dpi));
+  }
+  report.counts["frames"] = static_cast<std::int64_t>(flight.size());
+  report.message = fmt::format("{} frames of {} x {} pixels", flight.size(), options.width, options.height);
+  if (!options.video) return report;
+  const auto ffmpeg = program_in_path("ffmpeg");
+  if (ffmpeg.empty()) {
+    report.warn("there is no video: ffmpeg is not in PATH. Install it, or make the video from flythrough/ elsewhere");
+    return report;
+  }
+  run.report(drawn, "video");
+  write_video(ffmpeg, frames, options.frame_rate, folder / video_file, run);
+  report.message += fmt::format(", {}", video_file);
+  return report;
+}
+
+pipeline::StageType flythrough_stage() {
+  pipeline::StageType type;
+  type.name = "report.flythrough";
+  type.vtk_class = "vtkBoleFlythrough";
+  type.title = "Make a film";
+  type.help =
+      "Draws a flight of the camera through a survey, along the walk or through bookmarked views, as frames "
+      "flythrough/frame_00001.png and so on, and as flythrough.mp4 where ffmpeg is installed. The same inputs give the "
+      "same frames.";
+  type.source = "Bole";
+  type.inputs = {{"points", DataKind::cloud, "Points of the survey.", false, {}},
+                 {"stems", DataKind::table, "Stems to draw.", true, {}},
+                 {"sections", DataKind::table, "Circles along the stems.", true, {}},
+                 {"trajectory", DataKind::trajectory, "Walk of the sensor.", true, {}}};
+  type.options = &option_table(static_cast<const FlythroughOptions*>(nullptr));
+  type.writes_files = true;
+  type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {
+    return run_flythrough(inputs, options.as<FlythroughOptions>(), run);
+  };
+  return type;
+}
+
+}  // namespace bole::report

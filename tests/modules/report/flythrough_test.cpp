@@ -1,0 +1,146 @@
+// Films of a survey: frames, the video, and what is missing for them.
+#include <unistd.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "base/error.h"
+#include "render/offscreen/offscreen.h"
+#include "report/flight/flythrough.h"
+#include "report/flight/video.h"
+
+namespace bole::report {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string bytes_of(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+class Flythrough : public testing::Test {
+ protected:
+  Flythrough() : path_(std::getenv("PATH")) {
+    render::use_backend(render::Backend::automatic);
+    folder_ = fs::path(testing::TempDir()) / ("flythrough_" + std::to_string(::getpid()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "bin");
+    setenv("PATH", (folder_ / "bin").c_str(), 1);  // no ffmpeg, unless a test puts one there
+    PointCloud::Positions places;
+    for (int i = 0; i < 40; ++i)
+      for (int j = 0; j < 40; ++j) places.emplace_back(0.25 * i, 0.25 * j, 0.02 * ((3 * i + j) % 5));
+    for (int k = 0; k < 400; ++k)
+      places.emplace_back(5 + 0.2 * std::cos(0.1 * k), 5 + 0.2 * std::sin(0.1 * k), 0.01 * k);
+    cloud_ = PointCloud(std::move(places));
+    for (int i = 0; i <= 10; ++i) {
+      StampedPose pose;
+      pose.time_s = i;
+      pose.T_target_sensor.translation() = Eigen::Vector3d(1, 0.8 * i, 1.5);
+      walk_.poses.push_back(pose);
+    }
+    options_.width = 96;
+    options_.height = 54;
+    options_.seconds = 0.5;
+    options_.frame_rate = 8;
+  }
+  ~Flythrough() override {
+    setenv("PATH", path_.c_str(), 1);
+    fs::remove_all(folder_);
+  }
+
+  Report make(const fs::path& to, const bole::Run& run = {}) {
+    render::MapData data;
+    data.points = &cloud_;
+    data.trajectory = &walk_;
+    return write_flythrough(data, flight_of(options_, &walk_, {}), options_, to, run);
+  }
+  void install_ffmpeg(const std::string& script) {
+    const auto program = folder_ / "bin" / "ffmpeg";
+    std::ofstream(program) << "#!/bin/sh\n" << script << "\n";
+    fs::permissions(program, fs::perms::owner_all);
+  }
+
+  std::string path_;
+  fs::path folder_;
+  PointCloud cloud_;
+  Trajectory walk_;
+  FlythroughOptions options_;
+};
+
+TEST_F(Flythrough, MakesTheSameFramesOfTheSameInputs) {
+  const auto report = make(folder_ / "a");
+  make(folder_ / "b");
+  EXPECT_EQ(report.counts.at("frames"), 4);
+  for (const char* name : {"frame_00001.png", "frame_00002.png", "frame_00003.png", "frame_00004.png"}) {
+    const auto bytes = bytes_of(folder_ / "a/flythrough" / name);
+    EXPECT_GT(bytes.size(), 200U);
+    EXPECT_EQ(bytes, bytes_of(folder_ / "b/flythrough" / name)) << name;
+  }
+  EXPECT_NE(bytes_of(folder_ / "a/flythrough/frame_00001.png"), bytes_of(folder_ / "a/flythrough/frame_00004.png"));
+  EXPECT_THAT(report.warnings, testing::ElementsAre(testing::HasSubstr("ffmpeg is not in PATH")));
+  EXPECT_FALSE(fs::exists(folder_ / "a/flythrough.mp4"));
+}
+
+TEST_F(Flythrough, AShorterFilmLeavesNoFramesOfALongerOne) {
+  make(folder_ / "a");
+  options_.seconds = 0.25;
+  make(folder_ / "a");
+  EXPECT_TRUE(fs::exists(folder_ / "a/flythrough/frame_00002.png"));
+  EXPECT_FALSE(fs::exists(folder_ / "a/flythrough/frame_00003.png"));
+}
+
+TEST_F(Flythrough, MakesAVideoWhereFfmpegIs) {
+  install_ffmpeg("for last; do :; done\necho \"$@\" > \"$last\"");
+  const auto report = make(folder_ / "a");
+  EXPECT_TRUE(report.warnings.empty());
+  EXPECT_THAT(bytes_of(folder_ / "a/flythrough.mp4"),
+              testing::AllOf(testing::HasSubstr("-framerate 8"), testing::HasSubstr("flythrough/frame_%05d.png")));
+  install_ffmpeg("echo no such codec >&2\nexit 1");
+  EXPECT_THROW(
+      try { make(folder_ / "b"); } catch (const Error& e) {
+        EXPECT_THAT(e.what(), testing::HasSubstr("no such codec"));
+        throw;
+      },
+      Error);
+  EXPECT_FALSE(fs::exists(folder_ / "b/flythrough.mp4"));
+  EXPECT_TRUE(fs::exists(folder_ / "b/flythrough/frame_00004.png"));
+}
+
+TEST_F(Flythrough, IsCancelledBetweenFramesAndWhileTheVideoIsMade) {
+  std::stop_source stop;
+  bole::Run run;
+  run.cancel = stop.get_token();
+  run.progress = [&](double, std::string_view what) {
+    if (what == "frame 2 of 4") stop.request_stop();
+  };
+  EXPECT_THROW(make(folder_ / "a", run), Error);
+  EXPECT_TRUE(fs::exists(folder_ / "a/flythrough/frame_00001.png"));
+  EXPECT_FALSE(fs::exists(folder_ / "a/flythrough/frame_00004.png"));
+  install_ffmpeg("while :; do :; done");
+  std::stop_source later;
+  run.cancel = later.get_token();
+  run.progress = [&](double, std::string_view what) {
+    if (what == "video") later.request_stop();
+  };
+  EXPECT_THROW(make(folder_ / "b", run), Error);
+}
+
+TEST_F(Flythrough, SaysWhatItLacks) {
+  EXPECT_THROW(flight_of(options_, nullptr, {}), Error);
+  options_.course = FlightCourse::views;
+  EXPECT_THROW(flight_of(options_, &walk_, {}), Error);
+  options_.course = FlightCourse::walk;
+  cloud_ = {};
+  EXPECT_THROW(make(folder_ / "a"), Error);
+}
+
+}  // namespace
+}  // namespace bole::report
