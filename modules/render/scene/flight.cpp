@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angles.h"
 #include "base/error.h"
 
 namespace bole::render {
@@ -14,7 +14,7 @@ constexpr double min_walk_m = 1, path_step_m = 0.1;
 
 ViewPoint in_perspective(ViewPoint view) {
   if (!view.parallel) return view;
-  const double distance_m = view.half_height_m / std::tan(view_angle_deg / 2 * std::numbers::pi / 180);
+  const double distance_m = view.half_height_m / std::tan(radians(view_angle_deg / 2));
   view.eye = view.centre + distance_m * (view.eye - view.centre).normalized();
   view.parallel = false;
   return view;
