@@ -156,7 +156,11 @@ function(bole_tests name)
   # Two builds that are tested at once must not write into the same files.
   set(files ${CMAKE_BINARY_DIR}/tests/tmp)
   file(MAKE_DIRECTORY ${files})
-  gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300 ENVIRONMENT "TMPDIR=${files};TEST_TMPDIR=${files}")
+  set(limit_s 300)
+  if(BOLE_SANITIZE) # some five times slower
+    set(limit_s 1500)
+  endif()
+  gtest_discover_tests(${name}_tests TEST_PREFIX ${name}. DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT ${limit_s} ENVIRONMENT "TMPDIR=${files};TEST_TMPDIR=${files}")
 endfunction()
 
 # bole_benchmark(NAME [LINK target...]) : a Google Benchmark program from NAME.cpp, run by `./do bench`.

@@ -34,7 +34,7 @@ class RosetteScan : public FrameSource {
     frame.start_time_s = frame_time_s(index);
     frame.end_time_s = frame.start_time_s + model_.period_s * (model_.pulses - 1) / model_.pulses;
     std::mt19937 random(static_cast<unsigned>(index) * 7919u + 1);
-    std::normal_distribution<double> noise(0, model_.range_noise_m);
+    std::normal_distribution<double> normal;
     constexpr double deg = std::numbers::pi / 180;
     for (int i = 0; i < model_.pulses; ++i) {
       const double offset_s = model_.period_s * i / model_.pulses, t = frame.start_time_s + offset_s;
@@ -44,7 +44,8 @@ class RosetteScan : public FrameSource {
           deg * (0.5 * (model_.low_deg + model_.high_deg) + 0.5 * (model_.high_deg - model_.low_deg) * std::sin(nod));
       const Eigen::Vector3d direction(std::cos(e) * std::cos(azimuth), std::cos(e) * std::sin(azimuth), std::sin(e));
       const Pose T = motion_(t);
-      const double range = world_.range(T.translation(), T.linear() * direction) + noise(random);
+      const double range =
+          world_.range(T.translation(), T.linear() * direction) + model_.range_noise_m * normal(random);
       if (!(range > 0.3) || range > model_.range_max_m) continue;
       frame.positions.push_back((range * direction).cast<float>());
       frame.time_offset_s.push_back(static_cast<float>(offset_s));

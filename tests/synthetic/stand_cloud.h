@@ -25,7 +25,7 @@ struct StandOptions {
 inline PointCloud::Positions stand_points(const StandOptions& o) {
   std::mt19937 random(o.seed);
   std::uniform_real_distribution<double> u(0, 1);
-  std::normal_distribution<double> noise(0, o.noise);
+  std::normal_distribution<double> normal;
   const int side = static_cast<int>(std::ceil(std::sqrt(o.stems)));
   constexpr double spacing = 3;
   const double width = spacing * std::max(1, side);
@@ -35,13 +35,13 @@ inline PointCloud::Positions stand_points(const StandOptions& o) {
   PointCloud::Positions out;
   for (int i = 0; i < static_cast<int>(width * width * o.ground_points_per_m2); ++i) {
     const double x = width * u(random), y = width * u(random);
-    out.emplace_back(Eigen::Vector3d(x, y, ground(x, y) + noise(random)).cast<float>());
+    out.emplace_back(Eigen::Vector3d(x, y, ground(x, y) + o.noise * normal(random)).cast<float>());
   }
   for (int s = 0; s < o.stems; ++s) {
     const double x = spacing * (s % side + 0.3 + 0.4 * u(random)), y = spacing * (s / side + 0.3 + 0.4 * u(random));
     for (int i = 0; i < static_cast<int>(o.height * o.points_per_metre); ++i) {
       const double h = o.height * u(random), bearing = 2 * std::numbers::pi * u(random);
-      const double r = 0.5 * o.diameter * (1.05 - 0.04 * h) + noise(random);
+      const double r = 0.5 * o.diameter * (1.05 - 0.04 * h) + o.noise * normal(random);
       out.emplace_back(
           Eigen::Vector3d(x + r * std::cos(bearing), y + r * std::sin(bearing), ground(x, y) + h).cast<float>());
     }

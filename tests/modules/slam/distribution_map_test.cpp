@@ -16,11 +16,11 @@ const Eigen::Vector3d far_away(431.0, -275.0, 12.0);
 std::vector<Eigen::Vector3d> points_on_plane(const Eigen::Vector3d& normal, double noise_m, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> across(-0.3, 0.3);
-  std::normal_distribution<double> along(0, noise_m);
+  std::normal_distribution<double> along;
   const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i < 4000; ++i)
-    points.push_back(far_away + across(random) * u + across(random) * v + along(random) * normal);
+    points.push_back(far_away + across(random) * u + across(random) * v + noise_m * along(random) * normal);
   return points;
 }
 

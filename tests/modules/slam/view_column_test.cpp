@@ -19,7 +19,7 @@ template <class Key>
 Kept thin(Key&& key) {
   constexpr double radius = 0.1, noise = 0.025;
   std::mt19937 random(5);
-  std::normal_distribution<double> error(0, noise);
+  std::normal_distribution<double> error;
   std::uniform_real_distribution<double> unit(0, 1);
   std::unordered_set<std::uint64_t> seen;
   Kept kept;
@@ -30,7 +30,7 @@ Kept thin(Key&& key) {
                    z = 0.2 * unit(random);
       const Eigen::Vector3d forward(-std::cos(bearing), -std::sin(bearing), 0), right(-forward.y(), forward.x(), 0),
           sensor = -5 * forward + across * right + Eigen::Vector3d(0, 0, z);
-      const double e = error(random), range = 5 - std::sqrt(radius * radius - across * across) + e;
+      const double e = noise * error(random), range = 5 - std::sqrt(radius * radius - across * across) + e;
       const Eigen::Vector3d p = sensor + range * forward;
       if (!seen.insert(key(p, sensor)).second) continue;
       ++kept.points, sum += e, square += e * e, outside += p.head<2>().norm() - radius;
