@@ -20,7 +20,7 @@ struct FlythroughOptions {
   double frame_rate = 25;           // per second
   int width = 1920, height = 1080;  // pixels
   render::PointColor color = render::PointColor::height;
-  double point_size = 2;  // pixels of a picture 1080 pixels high
+  double point_size = 4;  // pixels of a picture 1080 pixels high
   bool stems = true;
   bool walk = false;
   bool dark = false;
