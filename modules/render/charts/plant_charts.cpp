@@ -1,5 +1,6 @@
 #include "render/charts/plant_charts.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -11,7 +11,7 @@
 
 #include "render/draw/color.h"
 
-typedef struct _cairo cairo_t;  // NOLINT(bugprone-reserved-identifier): the library's name
+typedef struct _cairo cairo_t;  // NOLINT(clang-diagnostic-reserved-identifier): the library's name
 
 namespace bole::render {
 

@@ -61,7 +61,7 @@ fs::path program_in_path(const std::string& name) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path != nullptr ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');) {
-    const fs::path program = fs::path(folder) / name;
+    fs::path program = fs::path(folder) / name;
     if (!folder.empty() && ::access(program.c_str(), X_OK) == 0 && fs::is_regular_file(program)) return program;
   }
   return {};

@@ -110,7 +110,7 @@ bool HesaiPackets::take(std::span<const std::uint8_t> payload) {
   const auto* p = packet_.data() + layout_->date_at;  // year, month, day, hour, minute, second
   const std::int64_t stamp_us = static_cast<std::int64_t>(get16(packet_, layout_->time_us_at)) +
                                 (static_cast<std::int64_t>(get16(packet_, layout_->time_us_at + 2)) << 16);
-  const double firings = layout_->blocks / blocks_per_firing();
+  const int firings = layout_->blocks / blocks_per_firing();
   const double first_s = (firings - 1) * firing_period_s() + layout_->stamp_after_last_firing_s;
   constexpr std::int64_t hour_us = 3'600'000'000;
   const std::int64_t past_hour =

@@ -145,7 +145,7 @@ std::optional<InertialSample> OusterDecoder::inertial_sample(Bytes packet) {
   InertialSample sample;
   sample.time_s = 1e-9 * static_cast<double>(*time_ns);
   for (int axis = 0; axis < 3; ++axis) {
-    const auto at = static_cast<std::size_t>(4 * axis);
+    const auto at = 4 * static_cast<std::size_t>(axis);
     sample.specific_force_m_s2[axis] = standard_gravity * get_float(packet, accelerometer + at);
     sample.angular_rate_rad_s[axis] = radians(get_float(packet, gyroscope + at));
   }

@@ -42,7 +42,7 @@ std::optional<Eigen::Vector3d> base_of(const Survey& survey) {
   const auto& t = *survey.traits;
   const Eigen::Vector3d base(first_of(t, "base_x_m", 1), first_of(t, "base_y_m", 1), first_of(t, "base_z_m", 1));
   if (base.allFinite()) return base;
-  if (const auto fact = vector_fact(t.facts, "plant_base_m")) return fact;
+  if (auto fact = vector_fact(t.facts, "plant_base_m")) return fact;
   return survey.points ? vector_fact(survey.points->facts, "plant_base_m") : std::nullopt;
 }
 

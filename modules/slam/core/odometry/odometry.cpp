@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/angles.h"
 #include "base/statistics.h"
@@ -334,7 +335,7 @@ double Odometry::recent_observability(double of_this_frame) const {
 // the start. All of that is withdrawn where no frame is well determined by then, as in a corridor, which the sensor may
 // leave unnoticed, or where an impossible motion is found.
 std::string Odometry::open_motion(const Registration& r, const Observability& seen) {
-  const std::string text = "the surroundings leave a direction of motion open: " + seen.motion_text();
+  std::string text = "the surroundings leave a direction of motion open: " + seen.motion_text();
   if (r.conditioning < min_conditioning) return text;
   const double distance = (r.motion.T_map_end.translation() - keyframes_.front().T_map_keyframe.translation()).norm();
   if (left_start_ == 0 && distance >= start_keyframes * settings_.keyframe_distance) left_start_ = frames_.size();
@@ -344,7 +345,7 @@ std::string Odometry::open_motion(const Registration& r, const Observability& se
     return {};
   }
   if (left_start_ > 0 || recent < min_share_at_start * needed) return text;
-  open_at_start_ = text;
+  open_at_start_ = std::move(text);
   return {};
 }
 

@@ -41,8 +41,8 @@ void learn_priors(const std::vector<Stem>& fitted, const MeasureOptions& options
   priors.learnt = !drift.empty() || !offsets.empty();
   if (!drift.empty()) priors.drift = likeliest_drift(drift, run);
   if (tells_offset)
-    priors.range_offset = mean_range_offset(
-        std::move(offsets), options.range_offset_sd.value_or(range_offset_of_many_lasers), priors.drift.view_sd_m);
+    priors.range_offset = mean_range_offset(offsets, options.range_offset_sd.value_or(range_offset_of_many_lasers),
+                                            priors.drift.view_sd_m);
   tell_priors(priors, moved_m, report, !drift.empty(), tells_offset);
 }
 

@@ -52,8 +52,8 @@ PooledPriors pool(const std::vector<StemEvidence>& stems, std::optional<double> 
   if (drifts) out.drift = likeliest_drift(sum);
   const double sd_m = expected.empty() ? range_offset_of_many_lasers : upper_median(std::move(expected));
   if (!offsets.empty())
-    out.range_offset = mean_range_offset(std::move(offsets), range_offset_sd_m.value_or(sd_m),
-                                         out.drift.value_or(DriftPrior{}).view_sd_m);
+    out.range_offset =
+        mean_range_offset(offsets, range_offset_sd_m.value_or(sd_m), out.drift.value_or(DriftPrior{}).view_sd_m);
   if (!noise.empty()) out.noise_m = upper_median(std::move(noise));
   return out;
 }

@@ -64,7 +64,8 @@ DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems, const
   return likeliest_drift(sum);
 }
 
-RangeOffsetPrior mean_range_offset(std::vector<RangeOffsetEvidence> stems, double expected_sd_m, double view_sd_m) {
+RangeOffsetPrior mean_range_offset(const std::vector<RangeOffsetEvidence>& stems, double expected_sd_m,
+                                   double view_sd_m) {
   // What stems say of the offset is how strongly their bark seems to curve against where it lies, so an error of shape
   // that all share comes out threefold, and no number of stems averages it out: on maps with true poses (views apart by
   // 0.5 to 1.5 mm) the mean was right to 1 mm, on SLAM maps without an inertial unit (2 to 3 mm) it was 4 to 5 mm too

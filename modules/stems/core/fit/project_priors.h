@@ -26,6 +26,7 @@ DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems, const
 // and scale `expected_sd_m`. Offsets of a few millimetres, which a common error of shape can feign, count little, those
 // of centimetres nearly in full. `view_sd_m`: DriftPrior of the same stems. What no number of stems averages out grows
 // with it, for poses lean towards what they see, and with the doubt of the beam.
-RangeOffsetPrior mean_range_offset(std::vector<RangeOffsetEvidence> stems, double expected_sd_m, double view_sd_m);
+RangeOffsetPrior mean_range_offset(const std::vector<RangeOffsetEvidence>& stems, double expected_sd_m,
+                                   double view_sd_m);
 
 }  // namespace bole::stems
