@@ -149,8 +149,7 @@ class JointFit {
       patches.emplace_back(p.pass, p.section,
                            static_cast<int>(std::floor(std::atan2(p.p.y(), p.p.x()) / (std::numbers::pi / 6))));
     std::ranges::sort(patches);
-    const auto repeated = std::ranges::unique(patches);
-    patches.erase(repeated.begin(), repeated.end());
+    patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
     return std::min(
         1.0, max_per_patch * static_cast<double>(patches.size()) / std::max(1.0, static_cast<double>(points_.size())));
   }
