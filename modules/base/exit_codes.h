@@ -23,7 +23,8 @@ inline constexpr std::array exit_codes{
     ExitCodeRow{ExitCode::bad_input, "bad input: a command, file, option or pipeline cannot be used as it is"},
     ExitCodeRow{ExitCode::cancelled, "cancelled on request: nothing was changed"},
     ExitCodeRow{ExitCode::finished_early,
-                "finished early (first Ctrl-C, or SLAM lost the track): outputs were written, of a result that is not complete"}};
+                "finished early (first Ctrl-C, or SLAM lost the track): outputs were written, of a result that is not "
+                "complete"}};
 
 }  // namespace base
 }  // namespace bole

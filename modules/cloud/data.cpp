@@ -6,8 +6,7 @@ namespace bole {
 inline namespace cloud {
 
 std::string_view data_kind_name(DataKind kind) {
-  constexpr std::array<std::string_view, 7> names{"none", "cloud", "table", "raster", "trajectory", "frames",
-                                                  "views"};
+  constexpr std::array<std::string_view, 7> names{"none", "cloud", "table", "raster", "trajectory", "frames", "views"};
   return names[static_cast<std::size_t>(kind)];
 }
 

@@ -15,7 +15,11 @@ void register_stages(pipeline::StageRegistry& registry) {
       "stays with the table, so exports contain it. A table that has metres and no degrees stays as it is.";
   type.source = "SPEC E1; Lee (1976), Karney (2011) through GeographicLib";
   type.inputs = {{"table", DataKind::table, "Positions: latitude_deg and longitude_deg, or x_m and y_m.", false, {}}};
-  type.outputs = {{"table", DataKind::table, "The same rows with the other kind of coordinates added; convergence_deg of the plane.", false, {}}};
+  type.outputs = {{"table",
+                   DataKind::table,
+                   "The same rows with the other kind of coordinates added; convergence_deg of the plane.",
+                   false,
+                   {}}};
   type.options = &option_table(static_cast<const ProjectOptions*>(nullptr));
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run&) {
     auto projected = project_table(inputs.table("table"), options.as<ProjectOptions>());

@@ -92,7 +92,8 @@ std::string proxy(const StageType& type) {
   for (std::size_t i = 0; i < type.outputs.size(); ++i)
     xml += "      <OutputPort" + attribute("name", type.outputs[i].name) + attribute("index", std::to_string(i)) +
            attribute("id", "port" + std::to_string(i)) + "/>\n";
-  if (std::ranges::any_of(type.outputs, [](const Port& p) { return p.kind == DataKind::frames || p.kind == DataKind::views; }))
+  if (std::ranges::any_of(type.outputs,
+                          [](const Port& p) { return p.kind == DataKind::frames || p.kind == DataKind::views; }))
     xml +=
         "      <DoubleVectorProperty name=\"TimestepValues\" information_only=\"1\" repeatable=\"1\">\n        "
         "<TimeStepsInformationHelper/>\n      </DoubleVectorProperty>\n";

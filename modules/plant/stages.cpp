@@ -266,7 +266,8 @@ pipeline::StageType plant_edit_stage() {
   t.title = "Edit the plant";
   t.help =
       "Applies the edits of a person to a measured plant: set_base, set_stem_height, assign (points near a place, "
-      "in a box or behind an outline become another part, for instance a leaf that is cut off), set_value, accept, reject and note. The plant is measured "
+      "in a box or behind an outline become another part, for instance a leaf that is cut off), set_value, accept, "
+      "reject and note. The plant is measured "
       "anew where its points, its base or the height of measurement changed. The inputs do not change; an edit that no "
       "longer fits is a conflict, which changes nothing and is listed.";
   t.source = "Bole";

@@ -17,8 +17,8 @@ class FileKeys {
   explicit FileKeys(std::filesystem::path memo_file);
 
   // The key of a file, or of a folder: names and contents of all files in it, and of the times that lie beside it,
-  // which belong to the frames of a scan. imu.csv and NAME_imu.csv beside either belong to it as well. A path that is not there has the key "absent": the stage that reads it tells
-  // about it in its own words. Throws Error{cancelled}.
+  // which belong to the frames of a scan. imu.csv and NAME_imu.csv beside either belong to it as well. A path that is
+  // not there has the key "absent": the stage that reads it tells about it in its own words. Throws Error{cancelled}.
   std::string key(const std::filesystem::path& path, const Run& run = {});
   // Writes what was learnt. A folder that cannot be written to costs time at the next run, nothing else.
   void save();

@@ -1,9 +1,9 @@
 // summary.json: what ran, with which options, how it went, and every number of the report.
 //
 // At the top stand the "verdict" (sign, look, refused) and the "findings" of all stages (code, severity, text, stage),
-// the most severe first. Each stage has its changed "options" and the "defaults" that it took for the others, its counts, metrics, facts and
-// warnings, and under "tables" its tables of results (Port::in_summary) as lists of rows. Tables with a row per stem,
-// section, candidate, edit, loop or frame lie beside it as CSV.
+// the most severe first. Each stage has its changed "options" and the "defaults" that it took for the others, its
+// counts, metrics, facts and warnings, and under "tables" its tables of results (Port::in_summary) as lists of rows.
+// Tables with a row per stem, section, candidate, edit, loop or frame lie beside it as CSV.
 #pragma once
 
 #include <filesystem>

@@ -52,7 +52,9 @@ bool FocusRing::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::Move:
     case QEvent::Resize:
     case QEvent::Hide:
-      if (target_ && watched == target_) QMetaObject::invokeMethod(this, [this] { place(); }, Qt::QueuedConnection);
+      if (target_ && watched == target_)
+        QMetaObject::invokeMethod(
+            this, [this] { place(); }, Qt::QueuedConnection);
       break;
     default:
       break;

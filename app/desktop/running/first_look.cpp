@@ -4,8 +4,8 @@
 #include <QLocale>
 #include <algorithm>
 
-#include "cloud/scan_frame.h"
 #include "cloud/core/view_source.h"
+#include "cloud/scan_frame.h"
 
 namespace bole::desktop {
 namespace {

@@ -43,7 +43,7 @@ class FirstLook : public QObject {
   void failed(const QString& why);
 
  private:
-  int count_ = 0;  // answers about a document that was closed are dropped
+  int count_ = 0;                      // answers about a document that was closed are dropped
   std::vector<std::jthread> threads_;  // of all documents; those before the last end soon
 };
 

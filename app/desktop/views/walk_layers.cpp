@@ -20,9 +20,9 @@ namespace {
 
 constexpr std::size_t keyframes_per_block = 32;
 constexpr std::size_t max_map_points = 400'000;  // drawn of the map: what software OpenGL turns fluently
-constexpr double sensor_height_m = 1.5;      // about: the ground lies below the path
-constexpr double top_m = 8;                  // above the ground, where the colours end
-constexpr double ground_below_m = 0.4;       // the ground is not known yet, only the height of the sensor
+constexpr double sensor_height_m = 1.5;          // about: the ground lies below the path
+constexpr double top_m = 8;                      // above the ground, where the colours end
+constexpr double ground_below_m = 0.4;           // the ground is not known yet, only the height of the sensor
 constexpr double sensor_radius_m = 0.25;
 constexpr double margin_m = 7;  // about the path, that a camera shows
 const render::Color ground_grey = render::hex(0xb9b1a4);

@@ -37,9 +37,7 @@ class WalkLayers {
   const Eigen::Vector3d& origin() const { return origin_; }  // what is drawn at zero
 
  private:
-  render::Color shown(const render::Color& color) const {
-    return dark_ ? render::on_dark(color) : color;
-  }
+  render::Color shown(const render::Color& color) const { return dark_ ? render::on_dark(color) : color; }
   void set(vtkSmartPointer<vtkActor>& slot, vtkSmartPointer<vtkActor> actor);
   void set_block(std::size_t block, const LiveMap& map);
   void set_path(const Trajectory& path);

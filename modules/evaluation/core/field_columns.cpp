@@ -59,9 +59,12 @@ bool ends_a_word(const std::string& text, std::size_t at) {
 }
 
 bool says(const std::string& heading, const Words& w) {
-  const auto any = [](const std::vector<std::string_view>& list, auto&& holds) { return std::ranges::any_of(list, holds); };
+  const auto any = [](const std::vector<std::string_view>& list, auto&& holds) {
+    return std::ranges::any_of(list, holds);
+  };
   return any(w.whole, [&](std::string_view s) { return heading == s; }) ||
-         any(w.beginning, [&](std::string_view s) { return heading.starts_with(s) && ends_a_word(heading, s.size()); }) ||
+         any(w.beginning,
+             [&](std::string_view s) { return heading.starts_with(s) && ends_a_word(heading, s.size()); }) ||
          any(w.stem, [&](std::string_view s) { return heading.starts_with(s); }) ||
          any(w.inside, [&](std::string_view s) { return heading.find(s) != std::string::npos; });
 }
@@ -90,8 +93,8 @@ bool in_millimetres(const Table& list, const std::string& column) {
 const std::vector<FieldColumn>& field_columns() {
   static const std::vector<std::string> lengths{"m", "cm", "ft"};
   static const std::vector<FieldColumn> list{
-      {"x_m", lengths, true}, {"y_m", lengths, true}, {"dbh_cm", {"cm", "mm", "m", "in"}, true},
-      {"height_m", lengths},  {"species", {}},        {"tree_id", {}},
+      {"x_m", lengths, true},          {"y_m", lengths, true}, {"dbh_cm", {"cm", "mm", "m", "in"}, true},
+      {"height_m", lengths},           {"species", {}},        {"tree_id", {}},
       {"azimuth_deg", {"deg", "gon"}}, {"distance_m", lengths}};
   return list;
 }

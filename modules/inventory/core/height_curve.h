@@ -14,7 +14,7 @@ struct HeightCurve {
   double a = 0, b = 0;
   double rmse_m = 0;  // of the heights it was fitted to, with n - 2
   std::size_t trees = 0;
-  std::size_t left_out = 0;  // heights too far off the curve
+  std::size_t left_out = 0;               // heights too far off the curve
   double min_dbh_cm = 0, max_dbh_cm = 0;  // of those trees
 
   // NaN for diameters outside 0.8 of the least to 1.25 of the greatest: the curve is not carried further.

@@ -21,12 +21,12 @@ struct HalfWidths {
 
 // What a stem contributes to heights and volume. NaN where not known.
 struct StemValues {
-  double height_m = 0;          // of its top, else by the curve
-  bool by_curve = false;        // the height is that of the curve
-  double curve_height_m = 0;    // by the curve, for residuals; NaN without a curve and outside its diameters
+  double height_m = 0;        // of its top, else by the curve
+  bool by_curve = false;      // the height is that of the curve
+  double curve_height_m = 0;  // by the curve, for residuals; NaN without a curve and outside its diameters
   double volume_m3 = 0;
-  double volume_half_m3 = 0;    // half width of the 95 % interval: diameter, height of the curve, form
-  bool own_volume = false;      // by its own stem curve
+  double volume_half_m3 = 0;  // half width of the 95 % interval: diameter, height of the curve, form
+  bool own_volume = false;    // by its own stem curve
 };
 
 struct StandValues {

@@ -20,7 +20,7 @@
 namespace bole::render {
 namespace {
 
-constexpr double min_px = 0.7;                 // finer detail than this between points is not seen
+constexpr double min_px = 0.7;                   // finer detail than this between points is not seen
 constexpr std::size_t kept_points = 12'000'000;  // that stay prepared, drawn or not
 
 // Eye coordinates of the layer are relative to `origin`; the octree's are relative to the cloud's.

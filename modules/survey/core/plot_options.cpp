@@ -44,13 +44,14 @@ const OptionTable& option_table(const PlotOptions*) {
                                        Tier::advanced,
                                        "x of the centre of a rectangle or circle, in the axes of the stems. auto: the "
                                        "centre target where it was found, else the middle of what was scanned."},
-      Option<S, std::optional<double>>{"y",
-                                       &S::y,
-                                       Unit::metre,
-                                       {-1e8, 1e8},
-                                       "auto",
-                                       Tier::advanced,
-                                       "y of the centre of a rectangle or circle, in the axes of the stems. auto: as x."},
+      Option<S, std::optional<double>>{
+          "y",
+          &S::y,
+          Unit::metre,
+          {-1e8, 1e8},
+          "auto",
+          Tier::advanced,
+          "y of the centre of a rectangle or circle, in the axes of the stems. auto: as x."},
       Option<S, std::optional<double>>{"bearing",
                                        &S::bearing_deg,
                                        Unit::degree,
@@ -98,8 +99,8 @@ struct GivenOptions {
 void refuse(const Names& without_effect, const std::string& why) {
   if (without_effect.empty()) return;
   const bool one = without_effect.size() == 1;
-  throw bad_input("plot option" + std::string(one ? " " : "s ") + listed(without_effect) +
-                      (one ? " is" : " are") + " given and " + why,
+  throw bad_input("plot option" + std::string(one ? " " : "s ") + listed(without_effect) + (one ? " is" : " are") +
+                      " given and " + why,
                   "plot options that go together: shape circle with radius, x and y; shape rectangle with width, "
                   "length, bearing, x and y; shape polygon with vertices; shape none alone",
                   "Leave out " + listed(without_effect) + ", or give another shape");

@@ -28,9 +28,9 @@ inline PlyMesh read_binary_ply(const std::string& path) {
   const auto header_end = bytes.find("end_header\n");
   if (header_end == std::string::npos || bytes.find("binary_little_endian") > header_end)
     throw bad_input(path + " is no binary little-endian PLY");
-  const std::map<std::string, int> sizes{{"char", 1},  {"uchar", 1}, {"int8", 1},   {"uint8", 1},   {"short", 2},
-                                         {"ushort", 2}, {"uint16", 2}, {"int", 4},  {"uint", 4},    {"int32", 4},
-                                         {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
+  const std::map<std::string, int> sizes{{"char", 1},   {"uchar", 1},   {"int8", 1},   {"uint8", 1},  {"short", 2},
+                                         {"ushort", 2}, {"uint16", 2},  {"int", 4},    {"uint", 4},   {"int32", 4},
+                                         {"float", 4},  {"float32", 4}, {"double", 8}, {"float64", 8}};
   struct Property {
     std::string name, type;
     bool list = false;
@@ -47,7 +47,8 @@ inline PlyMesh read_binary_ply(const std::string& path) {
     std::string word, a, b, c, d;
     in >> word >> a >> b >> c >> d;
     if (word == "element") elements.push_back({a, std::stoul(b), {}});
-    if (word == "property") elements.back().properties.push_back(a == "list" ? Property{d, c, true} : Property{b, a, false});
+    if (word == "property")
+      elements.back().properties.push_back(a == "list" ? Property{d, c, true} : Property{b, a, false});
   }
   std::size_t at = header_end + 11;
   const auto number = [&](const std::string& type) -> double {
@@ -82,7 +83,8 @@ inline PlyMesh read_binary_ply(const std::string& path) {
           continue;
         }
         const double value = number(property.type);
-        if (property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z') p(property.name[0] - 'x') = value;
+        if (property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z')
+          p(property.name[0] - 'x') = value;
         if (property.name == "part") part = static_cast<int>(value);
         for (int k = 0; k < 3; ++k)
           if (property.name == std::string("normal_") + static_cast<char>('x' + k)) n(k) = value;

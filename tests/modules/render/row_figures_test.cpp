@@ -22,8 +22,8 @@ TEST(ObliqueView, TheWholeBoxIsOnTheSheetAtOneScale) {
   const auto length = [&](const Eigen::Vector3d& d) { return (view.map(low + d) - view.map(low)).norm(); };
   // Parallel projection: lengths grow evenly, and none is drawn longer than it is.
   EXPECT_NEAR(length({2, 0, 0}), 2 * length({1, 0, 0}), 1e-9);
-  const double whole = std::sqrt(std::pow(length({1, 0, 0}), 2) + std::pow(length({0, 1, 0}), 2) +
-                                 std::pow(length({0, 0, 1}), 2));
+  const double whole =
+      std::sqrt(std::pow(length({1, 0, 0}), 2) + std::pow(length({0, 1, 0}), 2) + std::pow(length({0, 0, 1}), 2));
   EXPECT_LT(std::max({length({1, 0, 0}), length({0, 1, 0}), length({0, 0, 1})}), whole);
   // The sum of the squares of the three foreshortenings of an orthographic view is 2.
   EXPECT_NEAR(length({0, 0, 1}) / (whole / std::sqrt(2.0)), std::cos(24 * M_PI / 180), 1e-9);

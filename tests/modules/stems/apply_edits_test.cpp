@@ -220,7 +220,8 @@ TEST(ApplyEdits, StemsOfThePlotAreNumberedFirstInEveryOutput) {
 TEST(ApplyEdits, EditsMeanTheSameStemsWithAPlotAndWithout) {
   const auto s = stand();
   const Table plot = to_table({circle_area({5, 0}, 2), 15});
-  const auto edits = parse_stem_edits(R"([{"action": "delete", "at": [0, 0]}, {"action": "resize", "at": [5, 0], "dbh_cm": 31},
+  const auto edits =
+      parse_stem_edits(R"([{"action": "delete", "at": [0, 0]}, {"action": "resize", "at": [5, 0], "dbh_cm": 31},
     {"action": "add", "at": [9, 9], "dbh_cm": 20}])");
   const auto e = apply_stem_edits({&s.stems, &s.sections, &s.points, nullptr, &plot}, edits, {}, bole::Run{});
   EXPECT_THAT(e.stems.integers("tree_id"), ElementsAre(1, 2, 4));  // 3 was deleted, 4 is new

@@ -80,8 +80,7 @@ FigureDialog::FigureDialog(FigureSource source, QWidget* parent)
     const QString ending = endings[format_->currentIndex()];
     const QString name = figure_->currentText().replace(' ', '_') + ending;
     const QString path = note_folder(
-        "export",
-        QFileDialog::getSaveFileName(this, tr("Save figure"), in_last_folder("export", name), "*" + ending));
+        "export", QFileDialog::getSaveFileName(this, tr("Save figure"), in_last_folder("export", name), "*" + ending));
     if (!path.isEmpty()) save(path);
   });
   size_->setWordWrap(true);

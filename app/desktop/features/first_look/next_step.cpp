@@ -73,11 +73,11 @@ void NextStep::show_work() {
 
 void NextStep::offer_run() {
   const auto& document = bench_.session().document();
-  offer("run.all", editor_of(document, "stems") != nullptr              ? tr("Measure the stems")
-                   : stage_with_output(document, "stems") != nullptr    ? tr("Measure the stems")
-                   : stage_with_output(document, "rows") != nullptr     ? tr("Find the rows")
-                   : stage_with_output(document, "traits") != nullptr   ? tr("Measure the plant")
-                                                                        : tr("Run the pipeline"));
+  offer("run.all", editor_of(document, "stems") != nullptr            ? tr("Measure the stems")
+                   : stage_with_output(document, "stems") != nullptr  ? tr("Measure the stems")
+                   : stage_with_output(document, "rows") != nullptr   ? tr("Find the rows")
+                   : stage_with_output(document, "traits") != nullptr ? tr("Measure the plant")
+                                                                      : tr("Run the pipeline"));
 }
 
 void NextStep::offer_result() {

@@ -157,8 +157,8 @@ void add_styles(GDALDataset& set, const std::vector<VectorLayer>& layers, const 
     field.SetSubType(subtype);
     require(out->CreateField(&field) == OGRERR_NONE, errors, table, "defining a field");
   };
-  for (const char* name : {"f_table_catalog", "f_table_schema", "f_table_name", "f_geometry_column", "styleName",
-                           "styleQML", "styleSLD"})
+  for (const char* name :
+       {"f_table_catalog", "f_table_schema", "f_table_name", "f_geometry_column", "styleName", "styleQML", "styleSLD"})
     define(name, OFTString);
   define("useAsDefault", OFTInteger, OFSTBoolean);
   for (const char* name : {"description", "owner", "ui"}) define(name, OFTString);

@@ -20,8 +20,7 @@ void write_geotiff(const std::filesystem::path& path, const Raster& raster);
 // The first band of a GeoTIFF with square cells and without rotation, or of several joined by a GDAL VRT; "no data"
 // becomes NaN. `window`: only the cells that meet it, in the coordinates of the file; nothing: all. Throws
 // Error{bad_input}, also where no cell meets the window.
-Raster read_geotiff(const std::filesystem::path& path,
-                    const std::optional<Eigen::AlignedBox2d>& window = std::nullopt);
+Raster read_geotiff(const std::filesystem::path& path, const std::optional<Eigen::AlignedBox2d>& window = std::nullopt);
 
 enum class GeometryKind {
   none,    // a table
@@ -36,7 +35,7 @@ struct VectorLayer {
   GeometryKind geometry = GeometryKind::point;
   std::vector<std::vector<Eigen::Vector3d>> shapes;
   Table attributes;
-  std::string crs_wkt;    // empty when not known
+  std::string crs_wkt;         // empty when not known
   std::string style_qml = {};  // how QGIS draws the layer of a GeoPackage; empty: as it likes
 };
 
@@ -45,9 +44,10 @@ struct VectorLayer {
 VectorLayer point_layer(std::string name, const Table& table, const std::string& crs_wkt,
                         const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
 
-// Writes layers into one GeoPackage, with their styles in the table layer_styles, where QGIS looks for them. A file of that name is replaced once the new one is whole. Columns keep their
-// types; NaN and empty texts become NULL. Throws Error{bad_input} when shapes and rows differ in number or a shape has
-// too few vertices, Error{failed} when GDAL refuses.
+// Writes layers into one GeoPackage, with their styles in the table layer_styles, where QGIS looks for them. A file of
+// that name is replaced once the new one is whole. Columns keep their types; NaN and empty texts become NULL. Throws
+// Error{bad_input} when shapes and rows differ in number or a shape has too few vertices, Error{failed} when GDAL
+// refuses.
 void write_geopackage(const std::filesystem::path& path, const std::vector<VectorLayer>& layers);
 
 // Writes one layer as GeoJSON. With a CRS the coordinates are transformed to longitude and latitude, the only ones of

@@ -150,9 +150,7 @@ PlotRecipe parse_recipe(const nlohmann::json& json) {
   return recipe;
 }
 
-PlotRecipe read_recipe(const std::filesystem::path& file) {
-  return parse_recipe_file(file, parse_recipe);
-}
+PlotRecipe read_recipe(const std::filesystem::path& file) { return parse_recipe_file(file, parse_recipe); }
 
 nlohmann::json to_json(const PlotRecipe& recipe) {
   auto json = nlohmann::json::object();
