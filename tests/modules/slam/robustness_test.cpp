@@ -34,6 +34,19 @@ TEST(Robustness, ALostTrackEndsTheMapAndSaysWhere) {
   EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("lost at frame 12")));
   EXPECT_GT(result.points.size(), 1000u);
   EXPECT_LT(result.trajectory.poses.back().time_s, 1.25);
+  EXPECT_THAT(result.report.warnings, testing::Not(testing::Contains(HasSubstr("10 times a second"))));
+}
+
+TEST(Robustness, ALostTrackOfASlowScannerSaysThatItIsSlow) {
+  auto sensor = SpinningSensor::even(32, -25, 15, 360);
+  sensor.period_s = 0.2;
+  SyntheticScan source(
+      synthetic::trunks(9, 3.5), sensor, [](double t) { return synthetic::walk_on_circle(t, 4, 1, 1, 0.3); }, 15);
+  source.spoil = [](std::size_t index, ScanFrame& frame) {
+    if (index >= 5) frame.clear();
+  };
+  const auto result = run_slam(source, with_preset(Preset::best), {});
+  EXPECT_THAT(result.report.warnings, testing::Contains(HasSubstr("10 times a second")));
 }
 
 TEST(Robustness, AFifthOfThePointsMayBeMissing) {

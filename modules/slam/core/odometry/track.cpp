@@ -99,13 +99,22 @@ std::string found_again_text(const Odometry& odometry) {
          " of the points agree, doubt " + number_text(std::round(odometry.doubt() * 100) / 100);
 }
 
+// A walking person sways twice a second, which begin and end of a frame tell while it is short.
+std::string frame_rate_hint(const TrackedFrame& frame) {
+  constexpr double short_enough_s = 0.15;
+  const double lasts_s = frame.end_s - frame.begin_s;
+  if (lasts_s <= short_enough_s) return {};
+  return ". A frame takes " + seconds_text(lasts_s) +
+         ", in which a walk bends it: let the scanner turn 10 times a second or more";
+}
+
 void report_lost(const Odometry& odometry, const FrameWarnings& warnings, Report& report) {
   const auto& first = odometry.frames()[odometry.frames().size() - odometry.failed_in_a_row()];
   report.status = Status::finished_early;
   report.find(Severity::look, "track_lost",
               "the track was lost at frame " + std::to_string(first.index) + ", " +
                   seconds_text(warnings.since_start_s(first.index)) + " after the start: " + odometry.why_failed() +
-                  ". The map ends there");
+                  ". The map ends there" + frame_rate_hint(first));
   report.facts["lost_at_frame"] = std::to_string(first.index);
 }
 
