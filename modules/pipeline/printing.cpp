@@ -138,13 +138,14 @@ ordered_json option_schema(const OptionSpec& o) {
 
 }  // namespace
 
-std::string stage_markdown(const StageType& type) {
+std::string stage_markdown(const StageType& type, std::string_view example) {
   std::string text = fmt::format("# {}: {}\n\n{}\n\n", type.name, type.title, type.help);
   if (!type.source.empty()) text += fmt::format("Source: {}\n\n", type.source);
   if (!type.inputs.empty()) text += "## Inputs\n\n" + ports_markdown(type.inputs, true) + "\n";
   if (!type.outputs.empty()) text += "## Outputs\n\n" + ports_markdown(type.outputs, false) + "\n";
   if (!type.options->specs.empty())
     text += "## Options\n\n" + options_markdown(*type.options) + "\n" + presets_markdown(type);
+  text += example;
   text += "Printed by `bole stages --markdown`; change the declaration of the stage, not this page.\n";
   return text;
 }

@@ -2,13 +2,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "pipeline/stage.h"
 
 namespace bole::pipeline {
 
-// The manual page of a stage (docs/stages/<type>.md).
-std::string stage_markdown(const StageType& type);
+// The manual page of a stage (docs/stages/<type>.md). `example` stands at its end: what pipelines have the stage is
+// known above this module.
+std::string stage_markdown(const StageType& type, std::string_view example = {});
 // The index of docs/stages.
 std::string stages_index_markdown(const StageRegistry& registry);
 // The page of the per-point arrays (docs/stages/arrays.md).

@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import re
 import resource
 import signal
 import struct
@@ -314,6 +315,25 @@ class Program(unittest.TestCase):
                 told = self.bole(*arguments)
                 self.assertEqual(told.returncode, BAD_INPUT)
                 self.assertRegex(told.stderr, "Did you mean.*" + meant)
+
+    def test_pages_of_stages_have_an_example_that_holds(self):
+        options = {t["type"]: {o["name"] for o in t["options"]} for t in json.loads(self.bole("stages", "--json").stdout)}
+        pages = self.bole("stages", "--markdown").stdout
+        examples = re.findall(r"^# (\S+): .*?^```json\n(.*?)^```\n(?:\n```\nbole run (\S+) --set (\S+?)\.(\S+?)=)?", pages, re.M | re.S)
+        self.assertEqual({name for name, *_ in examples}, set(options))
+        used = 0
+        for name, text, pipeline, stage, option in examples:
+            with self.subTest(stage=name):
+                example = json.loads(text)
+                self.assertEqual(example["type"], name)
+                if not pipeline:
+                    continue
+                used += 1
+                document = json.loads((REPOSITORY / "pipelines" / f"{pipeline}.json").read_text())
+                self.assertIn(example, document["stages"])
+                self.assertEqual(stage, example["id"])
+                self.assertIn(option, options[name])
+        self.assertGreater(used, 40)
 
     def test_the_home_folder_stands_for_a_tilde(self):
         self.pipeline()

@@ -6,6 +6,7 @@
 
 #include "base/atomic_file.h"
 #include "commands.h"
+#include "documents/stage_example.h"
 #include "pipeline/paraview_xml.h"
 #include "pipeline/printing.h"
 
@@ -14,10 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string page(const pipeline::StageType& type) {
+  return pipeline::stage_markdown(type, documents::stage_example(type));
+}
+
 std::map<std::string, std::string> pages(const pipeline::StageRegistry& registry) {
   std::map<std::string, std::string> by_file{{"README.md", pipeline::stages_index_markdown(registry)},
                                              {"arrays.md", pipeline::arrays_markdown()}};
-  for (const auto* type : registry.all()) by_file[type->name + ".md"] = pipeline::stage_markdown(*type);
+  for (const auto* type : registry.all()) by_file[type->name + ".md"] = page(*type);
   return by_file;
 }
 
@@ -106,7 +111,7 @@ void add_stages(Program& program) {
     }
     if (!args->preset.empty() || !args->settings.empty())
       return print_values(registry, args->type, args->preset, args->settings);
-    if (!args->type.empty()) return fmt::print("{}", pipeline::stage_markdown(registry.at(args->type)));
+    if (!args->type.empty()) return fmt::print("{}", page(registry.at(args->type)));
     if (args->markdown) {
       for (const auto& [name, text] : pages(registry)) fmt::print("{}\n", text);
       return;
