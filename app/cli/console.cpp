@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "base/drafts.h"
@@ -16,7 +17,7 @@ namespace bole::cli {
 namespace {
 
 std::string clock_text(double seconds) {
-  const int s = static_cast<int>(seconds + 0.5);
+  const auto s = std::lround(seconds);
   return s < 60 ? fmt::format("{} s", s) : fmt::format("{}:{:02} min", s / 60, s % 60);
 }
 
@@ -94,16 +95,15 @@ void Interrupts::watch(const std::stop_token& stop, First first) {
   const timespec pause{0, 50'000'000};
   while (!stop.stop_requested()) {
     const int signal_number = sigtimedwait(&set, nullptr, &pause);
-    if (signal_number == SIGTERM || (signal_number == SIGINT && first == First::cancels)) {
+    const bool cancels = first == First::cancels || finish_.stop_requested();
+    if (signal_number == SIGTERM || (signal_number == SIGINT && cancels)) {
       cancel_now();
-    } else if (signal_number == SIGINT && !finish_.stop_requested()) {
+    } else if (signal_number == SIGINT) {
       finish_.request_stop();
       fmt::print(
           stderr,
           "\nFinishing with what there is so far. A stage that cannot end early runs to its end; interrupt again "
           "to cancel.\n");
-    } else if (signal_number == SIGINT) {
-      cancel_now();
     }
     const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - cancelled_at_;
     if (cancel_.stop_requested() && waited.count() > patience_s && !stop.stop_requested()) {

@@ -56,9 +56,9 @@ bool reads(const QString& pipeline, const QFileInfo& scan) {
 QString path_that_reads(const QFileInfo& scan, const QString& base) {
   constexpr int max_names = 100;
   for (int k = 0; k < max_names; ++k) {
-    const QString path = k == 0   ? base + ".json"
-                         : k == 1 ? scan.absoluteFilePath() + ".json"
-                                  : QString("%1_%2.json").arg(base).arg(k);
+    QString path = k == 0   ? base + ".json"
+                   : k == 1 ? scan.absoluteFilePath() + ".json"
+                            : QString("%1_%2.json").arg(base).arg(k);
     const QString left = Session::recovery_path(path);
     const bool saved = QFileInfo::exists(path), lost = QFileInfo::exists(left);
     if ((!saved && !lost) || reads(saved ? path : left, scan)) return path;

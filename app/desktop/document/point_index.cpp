@@ -21,8 +21,9 @@ PointIndex::PointIndex(std::shared_ptr<const PointCloud> cloud, const Run& run) 
     return;
   }
   octree_ = std::make_shared<const render::PointOctree>(render::PointOctree::sample(*cloud, sample_points));
-  build_in_thread(
-      [cloud](const Run& in_background) { return std::make_shared<const render::PointOctree>(*cloud, in_background); });
+  build_in_thread([cloud = std::move(cloud)](const Run& in_background) {
+    return std::make_shared<const render::PointOctree>(*cloud, in_background);
+  });
 }
 
 PointIndex::PointIndex(std::shared_ptr<const PointCloud> cloud, std::shared_ptr<const PointCloud> other,
@@ -32,7 +33,8 @@ PointIndex::PointIndex(std::shared_ptr<const PointCloud> cloud, std::shared_ptr<
     return;
   }
   octree_ = std::make_shared<const render::PointOctree>(render::PointOctree::sample(*cloud, sample_unnoticed));
-  build_in_thread([cloud, other, index_of_other](const Run& in_background) {
+  build_in_thread([cloud = std::move(cloud), other = std::move(other),
+                   index_of_other = std::move(index_of_other)](const Run& in_background) {
     const bool same = other && index_of_other && index_of_other->complete() && same_places(*cloud, *other);
     return same ? index_of_other->octree() : std::make_shared<const render::PointOctree>(*cloud, in_background);
   });

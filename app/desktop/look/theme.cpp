@@ -39,7 +39,7 @@ const QPalette& palette_of_the_system() {
 bool is_dark(const QPalette& palette) { return palette.color(QPalette::Window).lightness() < 128; }
 
 void apply_theme(Theme theme) {
-  const QPalette system = palette_of_the_system();
+  const QPalette& system = palette_of_the_system();
   if (theme == Theme::system && !is_dark(system)) {
     QApplication::setPalette(system);
     return;
@@ -58,7 +58,7 @@ void apply_saved_theme() { apply_theme(saved_theme()); }
 QImage on_paper(QImage chart, const QPalette& palette) {
   if (!is_dark(palette)) return chart;
   chart = chart.convertToFormat(QImage::Format_RGBA8888);
-  const QColor paper = palette.color(QPalette::Base);
+  const QColor& paper = palette.color(QPalette::Base);
   const int base[3] = {paper.red(), paper.green(), paper.blue()};
   for (int y = 0; y < chart.height(); ++y) {
     auto* pixel = chart.scanLine(y);

@@ -125,7 +125,7 @@ void TablePanel::scrollTo(const QModelIndex& index, ScrollHint hint) {
   QTableView::scrollTo(frozen ? index.siblingAtColumn(middle) : index, hint);
 }
 
-void TablePanel::show_table(std::shared_ptr<const Table> table) {
+void TablePanel::show_table(const std::shared_ptr<const Table>& table) {
   following_ = true;
   const auto several = selected_trees();
   rows_->set_table(table.get());

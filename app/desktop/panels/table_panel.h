@@ -19,7 +19,7 @@ class TablePanel : public QTableView {
 
  public:
   TablePanel(Selection& selection, QWidget* parent);
-  void show_table(std::shared_ptr<const Table> table);  // the selection stays
+  void show_table(const std::shared_ptr<const Table>& table);  // the selection stays
   // Shows the rows that meet the conditions of row_filter.h; returns a sentence when no row can.
   QString filter(const QString& text);
 

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <utility>
 
 #include "cloud/preview.h"
 
@@ -15,7 +16,8 @@ namespace bole::desktop {
 class PreviewChannel : public Preview {
  public:
   // `take` is called in the thread of `receiver`, which must outlive the run.
-  PreviewChannel(QObject* receiver, std::function<void(const DataSet&)> take) : receiver_(receiver), take_(take) {}
+  PreviewChannel(QObject* receiver, std::function<void(const DataSet&)> take)
+      : receiver_(receiver), take_(std::move(take)) {}
 
   bool wants() override;
   void show(DataSet snapshot) override;

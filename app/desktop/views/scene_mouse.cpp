@@ -152,6 +152,8 @@ bool SceneView::event(QEvent* event) {
   }
   const bool mouse =
       type == QEvent::MouseButtonPress || type == QEvent::MouseMove || type == QEvent::MouseButtonRelease;
+  // Past VTK's own event(), which would hand the mouse to its interactor.
+  // NOLINTNEXTLINE(bugprone-parent-virtual-call)
   return (dragged_ || !path_px_.empty()) && mouse ? QOpenGLWidget::event(event) : QVTKOpenGLNativeWidget::event(event);
 }
 

@@ -105,7 +105,8 @@ void SceneView::zoom_to_tree(std::int64_t id) {
     return sees_stem((Eigen::Vector3d(turned->GetPosition()) + origin_).head<2>(), *it);
   };
   for (int k = 0; k <= 2 * turns; ++k) {
-    const double angle_deg = (k % 2 == 0 ? 1 : -1) * (k + 1) / 2 * 180.0 / turns;
+    const int step = (k + 1) / 2;
+    const double angle_deg = (k % 2 == 0 ? step : -step) * 180.0 / turns;
     if (!free(angle_deg)) continue;
     camera->Azimuth(angle_deg);
     break;

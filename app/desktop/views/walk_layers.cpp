@@ -104,9 +104,9 @@ render::Color height_color(double above_ground_m) {
 
 }  // namespace
 
-void WalkLayers::set(vtkSmartPointer<vtkActor>& slot, vtkSmartPointer<vtkActor> actor) {
+void WalkLayers::set(vtkSmartPointer<vtkActor>& slot, const vtkSmartPointer<vtkActor>& actor) {
   if (slot) renderer_->RemoveActor(slot);
-  slot = std::move(actor);
+  slot = actor;
   if (slot) renderer_->AddActor(slot);
 }
 

@@ -38,7 +38,7 @@ class WalkLayers {
 
  private:
   render::Color shown(const render::Color& color) const { return dark_ ? render::on_dark(color) : color; }
-  void set(vtkSmartPointer<vtkActor>& slot, vtkSmartPointer<vtkActor> actor);
+  void set(vtkSmartPointer<vtkActor>& slot, const vtkSmartPointer<vtkActor>& actor);
   void set_block(std::size_t block, const LiveMap& map);
   void set_path(const Trajectory& path);
   void set_loops(const std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>& accepted,

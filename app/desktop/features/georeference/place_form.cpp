@@ -181,7 +181,7 @@ QString PlaceForm::new_file(const std::string& content) const {
   for (int n = 1;; ++n) {
     const QString name =
         document.completeBaseName() + (n == 1 ? QString("_control.csv") : QString("_control_%1.csv").arg(n));
-    const QString path = document.dir().filePath(name);
+    QString path = document.dir().filePath(name);
     QFile file(path);
     if (!file.exists() || (file.open(QIODevice::ReadOnly) && file.readAll() == QByteArray::fromStdString(content)))
       return path;

@@ -199,7 +199,7 @@ void MeasureTool::fit_ring(render::Measurement& ring) const {
 
 QString MeasureTool::free_name(Kind kind) const {
   for (int k = 1;; ++k) {
-    const QString name = QString("%1 %2").arg(kind_text(kind)).arg(k);
+    QString name = QString("%1 %2").arg(kind_text(kind)).arg(k);
     if (std::ranges::none_of(list_, [&](const auto& m) { return m.name == name.toStdString(); })) return name;
   }
 }

@@ -25,7 +25,7 @@ double percentile(std::vector<float>& values, double share) {
 QImage picture_of(const ColorImage& image) {
   if (image.empty() || image.channels != 3) return {};
   QImage out(image.width, image.height, QImage::Format_RGB888);
-  const auto row_bytes = static_cast<std::size_t>(3 * image.width);
+  const auto row_bytes = 3 * static_cast<std::size_t>(image.width);
   for (int y = 0; y < image.height; ++y) std::memcpy(out.scanLine(y), &image.at(0, y), row_bytes);
   return out;
 }

@@ -35,7 +35,7 @@ std::optional<stems::StemEdit> edit_of(const Survey& survey, std::int64_t tree, 
 std::vector<std::int64_t> trees_for(Workbench& bench, Action action) {
   const auto tree = bench.selection().tree();
   if (!tree) return {};
-  const auto chosen = bench.stems().selected_trees();
+  auto chosen = bench.stems().selected_trees();
   const bool of_one = action == Action::resize || action == Action::set_height;
   if (of_one || std::ranges::find(chosen, *tree) == chosen.end()) return {*tree};
   return chosen;

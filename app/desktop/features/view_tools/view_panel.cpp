@@ -208,7 +208,7 @@ void ViewPanel::reset_clip() {
 void ViewPanel::take_clip() {
   render::ClipBox box;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto k = static_cast<std::size_t>(2 * axis);
+    const auto k = 2 * static_cast<std::size_t>(axis);
     box.lo[axis] = std::min(box_[k]->value(), box_[k + 1]->value());
     box.hi[axis] = std::max(box_[k]->value(), box_[k + 1]->value());
   }
@@ -241,7 +241,7 @@ void ViewPanel::show_state() {
   handles_->setChecked(scene_.clip_handles_shown());
   const auto box = s.clip ? *s.clip : scene_.whole();
   for (int axis = 0; axis < 3; ++axis) {
-    const auto k = static_cast<std::size_t>(2 * axis);
+    const auto k = 2 * static_cast<std::size_t>(axis);
     box_[k]->setValue(box.lo[axis]);
     box_[k + 1]->setValue(box.hi[axis]);
     box_[k]->setEnabled(s.clip.has_value());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 namespace bole {
@@ -19,7 +20,7 @@ Sample sample_of(const PointCloud& cloud) {
 }
 
 float quantile(std::vector<float> values, double share) {
-  const auto rank = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1) + 0.5);
+  const auto rank = values.begin() + std::lround(share * static_cast<double>(values.size() - 1));
   std::ranges::nth_element(values, rank);
   return *rank;
 }
