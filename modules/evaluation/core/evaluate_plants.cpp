@@ -64,7 +64,7 @@ bool is_bound(const std::string& name) {
 
 std::string unit_of(const std::string& trait) {
   const auto cut = trait.rfind('_');
-  const auto unit = cut == std::string::npos ? std::string() : trait.substr(cut + 1);
+  auto unit = cut == std::string::npos ? std::string() : trait.substr(cut + 1);
   for (const auto* known : {"mm", "cm", "m", "cm2", "cm3", "mm2", "deg", "kg", "g"})
     if (unit == known) return unit;
   return {};

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <ogr_spatialref.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

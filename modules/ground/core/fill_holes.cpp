@@ -32,8 +32,9 @@ class NearestKnown {
  private:
   double squared(std::size_t a, std::size_t b) const {
     const auto nx = static_cast<std::size_t>(shape_.nx);
+    const std::size_t row_a = a / nx, row_b = b / nx;
     const double dx = static_cast<double>(a % nx) - static_cast<double>(b % nx),
-                 dy = static_cast<double>(a / nx) - static_cast<double>(b / nx);
+                 dy = static_cast<double>(row_a) - static_cast<double>(row_b);
     return dx * dx + dy * dy;
   }
 

@@ -107,8 +107,9 @@ void compare_clocks(const FrameSource& frames, const BagInertial& inertial, Repo
 
 }  // namespace
 
-std::shared_ptr<const FrameSource> open_bag_source(std::shared_ptr<const Bag> bag, const std::filesystem::path& path,
-                                                   const FrameSourceOptions& options, const Run& run, Report& report) {
+std::shared_ptr<const FrameSource> open_bag_source(const std::shared_ptr<const Bag>& bag,
+                                                   const std::filesystem::path& path, const FrameSourceOptions& options,
+                                                   const Run& run, Report& report) {
   const auto topic = choose_scan_topic(*bag, options.topic);
   auto source = open_topic(bag, topic, path, options, run, report);
   const bool own_unit = options.imu.empty() && source->inertial() != nullptr;

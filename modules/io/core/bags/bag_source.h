@@ -9,7 +9,8 @@ namespace bole::io {
 std::shared_ptr<const FrameSource> open_bag_source(const std::filesystem::path& path, const FrameSourceOptions& options,
                                                    const Run& run, Report& report);
 // Of a bag that is open already; `path` names it.
-std::shared_ptr<const FrameSource> open_bag_source(std::shared_ptr<const Bag> bag, const std::filesystem::path& path,
-                                                   const FrameSourceOptions& options, const Run& run, Report& report);
+std::shared_ptr<const FrameSource> open_bag_source(const std::shared_ptr<const Bag>& bag,
+                                                   const std::filesystem::path& path, const FrameSourceOptions& options,
+                                                   const Run& run, Report& report);
 
 }  // namespace bole::io

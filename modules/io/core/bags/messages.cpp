@@ -44,7 +44,7 @@ void convert(const CloudMessage& message, const CloudField& field, std::vector<T
     if constexpr (std::is_floating_point_v<From>)
       out[i] = converted<To>(value);
     else
-      out[i] = static_cast<To>(value);
+      out[i] = static_cast<To>(value);  // NOLINT(bugprone-signed-char-misuse): a field of int8 holds numbers
   }
 }
 
