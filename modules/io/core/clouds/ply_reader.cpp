@@ -158,7 +158,7 @@ class BinaryWalker {
 std::size_t min_record(const Element& element) {
   std::size_t bytes = 0;
   for (const auto& p : element.properties) bytes += source_type_bytes(p.list_count.value_or(p.field.type));
-  return bytes;
+  return std::max<std::size_t>(1, bytes);  // an element may have no properties
 }
 
 CloudReading read_binary(Bytes data, const Header& header, std::size_t vertex_index, const CloudReadOptions& options,

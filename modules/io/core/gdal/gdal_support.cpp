@@ -35,7 +35,7 @@ std::string Errors::last() const {
   constexpr std::size_t longest = 160;
   if (text.size() <= longest) return text;
   const auto reason = text.rfind(": ");
-  const auto why = reason == std::string::npos ? std::string() : text.substr(reason + 2);
+  auto why = reason == std::string::npos ? std::string() : text.substr(reason + 2);
   if (!why.empty() && why.size() <= longest) return why;
   return text.substr(0, longest) + " ...";
 }
