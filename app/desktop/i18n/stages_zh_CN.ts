@@ -108,6 +108,14 @@
             <translation>导航参数整定</translation>
         </message>
         <message>
+            <source>Edit points</source>
+            <translation>编辑点</translation>
+        </message>
+        <message>
+            <source>Keeps the points that a person gave to a tree, to no tree, to the ground or to noise: to_tree, to_no_tree, to_ground and to_noise, each with author, time and reason. Points are selected by an outline drawn over a view, a box or the stroke of a brush, never by their numbers, so that the same edits hold for a cloud that was thinned or read again. ground.model leaves points of noise out and takes those given to the ground for ground; stems.measure gives points to trees before it measures heights, crowns and volumes; stems.edit does so for trees that a person added. Diameters do not follow from points given to a tree.</source>
+            <translation>保存人工判定的点：归于某株树(to_tree)、不属于任何树(to_no_tree)、归于地面(to_ground)或噪声(to_noise)，各带作者、时间和理由。点由在视图上绘制的轮廓、立方框或画笔轨迹选取，从不按点号，因此同样的编辑也适用于抽稀或重新读入的点云。ground.model 剔除噪声点，并把归于地面的点当作地面；stems.measure 在测定树高、树冠和材积之前把点归于单木；stems.edit 对人工添加的单木同样处理。胸径不随归于单木的点改变。</translation>
+        </message>
+        <message>
             <source>Edit stems</source>
             <translation>编辑单木</translation>
         </message>
