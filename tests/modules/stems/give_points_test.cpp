@@ -171,6 +171,7 @@ TEST(GivePoints, ATreeThatIsNotThereIsAConflictAndOneThatWasDeletedIsNone) {
   EXPECT_EQ(unknown.log.text("outcome", 0), "conflict");
   EXPECT_THAT(unknown.log.text("message", 0), HasSubstr("no tree for certain within 0.5 m of (4.00, 0.00)"));
   EXPECT_EQ(unknown.report.counts.at("point_conflicts"), 1);
+  EXPECT_EQ(unknown.report.message, "no edits, 0 of 1 edits of points");
   const auto gone =
       edited(R"([{"action": "delete", "at": [0, 0]}])", R"([{"action": "to_tree", "tree": [0, 0], )" + post + "}]");
   EXPECT_EQ(gone.log.text("outcome", 1), "applied");

@@ -62,6 +62,9 @@ class Editor {
     r.counts["conflicts"] = conflicts_;
     r.counts["stems"] = static_cast<std::int64_t>(stems_.size());
     r.message = edits.empty() ? "no edits" : fmt::format("{} of {} edits applied", r.counts["applied"], edits.size());
+    if (const auto points = r.counts.find("point_edits"); points != r.counts.end())
+      r.message +=
+          fmt::format(", {} of {} edits of points", points->second - r.counts["point_conflicts"], points->second);
     out.report = std::move(r);
     return out;
   }
