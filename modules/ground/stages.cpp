@@ -1,5 +1,7 @@
 // Registers the stages of the module ground.
+#include "cloud/core/regions/point_edits.h"
 #include "cloud/height_facts.h"
+#include "ground/core/given_ground.h"
 #include "ground/core/model_ground.h"
 #include "ground/core/rasters.h"
 #include "pipeline/stage.h"
@@ -7,10 +9,19 @@
 namespace bole::ground {
 namespace {
 
+GroundModel model_of(const DataSet& inputs, const GroundOptions& options, const Run& run) {
+  const PointCloud& cloud = inputs.cloud("points");
+  const Raster* terrain = inputs.has("terrain") ? &inputs.raster("terrain") : nullptr;
+  if (inputs.has("point_edits")) {
+    const auto given = given_classes(cloud, point_edits_in(inputs.table("point_edits")), run);
+    if (!given.empty()) return model_edited_ground(cloud, given, terrain, options, run);
+  }
+  return terrain != nullptr ? ground_of(cloud, *terrain, options, run) : model_ground(cloud, options, run);
+}
+
 pipeline::StageResult run_model(const DataSet& inputs, const OptionSet& options, const Run& run) {
   const PointCloud& cloud = inputs.cloud("points");
-  const auto& o = options.as<GroundOptions>();
-  auto model = inputs.has("terrain") ? ground_of(cloud, inputs.raster("terrain"), o, run) : model_ground(cloud, o, run);
+  auto model = model_of(inputs, options.as<GroundOptions>(), run);
   PointCloud points = cloud;
   points.set_column(arrays::height_above_ground, std::move(model.height_above_ground));
   points.set_column(arrays::classification, std::move(model.classification));
@@ -49,6 +60,11 @@ void register_stages(pipeline::StageRegistry& registry) {
                  {"terrain",
                   DataKind::raster,
                   "A terrain model that was made before: heights are counted from it, and none is made.",
+                  true,
+                  {}},
+                 {"point_edits",
+                  DataKind::table,
+                  "Points that a person gave to the ground or to noise, from survey.edit_points.",
                   true,
                   {}}};
   type.outputs = {

@@ -57,6 +57,12 @@ pipeline::StageType measure_stage() {
        "of what is learnt from the stems.",
        true,
        {}});
+  t.inputs.push_back({"point_edits",
+                      DataKind::table,
+                      "Points that a person gave to trees, from survey.edit_points: they count for height, crown and "
+                      "volume, not for the diameter.",
+                      true,
+                      {}});
   t.outputs = {{"stems", DataKind::table, "One row per stem.", false, {}},
                {"points", DataKind::cloud, "The cloud with tree ids.", false, {arrays::tree_id, arrays::stem}},
                {"sections", DataKind::table, "Circles by height along each stem.", false, {}},
@@ -68,8 +74,10 @@ pipeline::StageType measure_stage() {
     const Trajectory* trajectory = in.has("trajectory") ? &in.trajectory("trajectory") : nullptr;
     std::optional<PooledPriors> pooled;
     if (in.has("priors")) pooled = priors_in(in.table("priors"));
+    std::vector<PointEdit> given;
+    if (in.has("point_edits")) given = point_edits_in(in.table("point_edits"));
     auto survey = measure_stems(in.cloud("points"), breast_height_of(in), in.raster("dem"), trajectory,
-                                options.as<MeasureOptions>(), run, pooled ? &*pooled : nullptr);
+                                options.as<MeasureOptions>(), run, pooled ? &*pooled : nullptr, given);
     result.outputs.set("stems", stem_table(survey));
     result.outputs.set("sections", section_table(survey));
     result.outputs.set("rejected", rejected_table(survey));
@@ -97,7 +105,12 @@ pipeline::StageType edit_stage() {
       {"sections", DataKind::table, "Circles along the stems.", true, {}},
       {"points", DataKind::cloud, "The cloud with tree ids.", true, {arrays::tree_id}},
       {"slice", DataKind::cloud, "Points at breast height: an added stem is fitted to them.", true, {}},
-      {"plot", DataKind::table, "Which trees count, from survey.plot: their ids come first, from 1 on.", true, {}}};
+      {"plot", DataKind::table, "Which trees count, from survey.plot: their ids come first, from 1 on.", true, {}},
+      {"point_edits",
+       DataKind::table,
+       "Points that a person gave to trees, from survey.edit_points: for trees that were added, and for the log.",
+       true,
+       {}}};
   t.version = 2;
   t.outputs = {{"stems", DataKind::table, "Stems after the edits.", false, {}},
                {"sections", DataKind::table, "Circles along the stems that are left.", false, {}},
@@ -112,6 +125,7 @@ pipeline::StageType edit_stage() {
     if (in.has("points")) inputs.points = &in.cloud("points");
     if (in.has("slice")) inputs.slice = &in.cloud("slice");
     if (in.has("plot")) inputs.plot = &in.table("plot");
+    if (in.has("point_edits")) inputs.point_edits = &in.table("point_edits");
     auto edited = apply_stem_edits(inputs, edits_of(options.file, options.edits, parse_stem_edits), options, run);
     pipeline::StageResult result;
     result.outputs.set("stems", std::move(edited.stems));

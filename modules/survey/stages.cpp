@@ -8,6 +8,7 @@
 #include "cloud/known_facts.h"
 #include "cloud/table_columns.h"
 #include "pipeline/stage.h"
+#include "survey/core/edit_points.h"
 #include "survey/core/join_trajectory.h"
 #include "survey/core/move_cloud.h"
 #include "survey/core/plot_cover.h"
@@ -135,6 +136,41 @@ pipeline::StageResult run_join(const DataSet& inputs, const OptionSet& options, 
   return result;
 }
 
+pipeline::StageResult run_edit_points(const DataSet& inputs, const OptionSet& set, const Run& run) {
+  const auto& options = set.as<EditPointsOptions>();
+  auto edited = edit_points(inputs.cloud("points"), edits_of(options.file, options.edits, parse_point_edits), run);
+  pipeline::StageResult result;
+  result.outputs.set("point_edits", std::move(edited.table));
+  result.report = std::move(edited.report);
+  return result;
+}
+
+void register_edit_points(pipeline::StageRegistry& registry) {
+  pipeline::StageType type;
+  type.name = "survey.edit_points";
+  type.vtk_class = "vtkBoleSurveyEditPoints";
+  type.title = "Edit points";
+  type.help =
+      "Keeps the points that a person gave to a tree, to no tree, to the ground or to noise: to_tree, to_no_tree, "
+      "to_ground and to_noise, each with author, time and reason. Points are selected by an outline drawn over a view, "
+      "a box or the stroke of a brush, never by their numbers, so that the same edits hold for a cloud that was "
+      "thinned or read again. ground.model leaves points of noise out and takes those given to the ground for ground; "
+      "stems.measure gives points to trees before it measures heights, crowns and volumes; stems.edit does so for "
+      "trees that a person added. Diameters do not follow from points given to a tree.";
+  type.source = "Bole";
+  type.inputs = {
+      {"points", DataKind::cloud, "The cloud in the axes of the plot, before the ground is modelled.", false, {}}};
+  type.outputs = {{"point_edits",
+                   DataKind::table,
+                   "One row for each edit: edit, action, x_m, y_m, points (in the selection), author, time, reason, "
+                   "selection.",
+                   false,
+                   {}}};
+  type.options = &option_table(static_cast<const EditPointsOptions*>(nullptr));
+  type.run = run_edit_points;
+  registry.add(std::move(type));
+}
+
 void register_join(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "survey.join_trajectory";
@@ -196,6 +232,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   register_frame(registry);
   register_plot(registry);
   register_join(registry);
+  register_edit_points(registry);
   register_georeference(registry);
   register_check(registry);
   register_revisit(registry);

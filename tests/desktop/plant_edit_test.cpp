@@ -230,7 +230,7 @@ class PlantEditTest : public QObject {
   }
 
   void what_does_not_fit_is_told() {
-    plant::PointRegion nowhere;
+    PointRegion nowhere;
     nowhere.at = Eigen::Vector3d(5, 5, 5);
     nowhere.radius = 0.01;
     editor().cut(nowhere);
@@ -240,8 +240,8 @@ class PlantEditTest : public QObject {
   }
 
   void the_same_edits_give_the_same_numbers_without_a_window() {
-    plant::PointRegion top;
-    top.kind = plant::PointRegion::Kind::outline;
+    PointRegion top;
+    top.kind = PointRegion::Kind::outline;
     for (const auto& [x, z] : {std::pair{-0.5, 0.31}, {0.8, 0.33}, {0.8, 1.0}, {-0.5, 1.0}})
       top.outline.emplace_back(x, 0, z);
     top.eye = Eigen::Vector3d(0.15, -1, 0.3);

@@ -11,7 +11,7 @@ namespace bole::desktop {
 namespace {
 
 constexpr const char *stems_port = "stems", *rows_port = "rows", *traits_port = "traits",
-                     *loops_port = "loop_candidates";
+                     *loops_port = "loop_candidates", *points_port = "point_edits";
 
 const pipeline::StageNode& editor_or_refuse(const Session& session, const std::string& port) {
   const std::string needed = "a pipeline with a stage that edits " + port;
@@ -54,12 +54,20 @@ void add_edits(Session& session, const std::vector<slam::LoopEdit>& edits) {
   add_to_list(session, loops_port, slam::parse_loop_edits, edits);
 }
 
+void add_edits(Session& session, const std::vector<PointEdit>& edits) {
+  add_to_list(session, points_port, parse_point_edits, edits);
+}
+
 void check_stems_can_be_edited(const Session& session) { editor_or_refuse(session, stems_port); }
 
 void check_rows_can_be_edited(const Session& session) { editor_or_refuse(session, rows_port); }
 
 bool plant_can_be_edited(const Session& session) {
   return session.has_document() && editor_of(session.document(), traits_port) != nullptr;
+}
+
+bool points_can_be_edited(const Session& session) {
+  return session.has_document() && editor_of(session.document(), points_port) != nullptr;
 }
 
 }  // namespace bole::desktop

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "cloud/core/regions/point_edits.h"
 #include "document/session.h"
 #include "plant/core/edits/plant_edits.h"
 #include "rows/core/edits/row_edits.h"
@@ -17,11 +18,13 @@ void add_edits(Session& session, const std::vector<stems::StemEdit>& edits);
 void add_edits(Session& session, const std::vector<rows::RowEdit>& edits);
 void add_edits(Session& session, const std::vector<plant::PlantEdit>& edits);
 void add_edits(Session& session, const std::vector<slam::LoopEdit>& edits);
+void add_edits(Session& session, const std::vector<PointEdit>& edits);
 
 // Throw bole::Error when the document has no stage that takes such edits.
 void check_stems_can_be_edited(const Session& session);
 void check_rows_can_be_edited(const Session& session);
 
 bool plant_can_be_edited(const Session& session);
+bool points_can_be_edited(const Session& session);
 
 }  // namespace bole::desktop

@@ -34,6 +34,21 @@ QString stem_action_words(stems::StemEdit::Action action) {
   return {};
 }
 
+QString point_action_words(PointEdit::Action action) {
+  using enum PointEdit::Action;
+  switch (action) {
+    case to_tree:
+      return QObject::tr("points to a tree");
+    case to_no_tree:
+      return QObject::tr("points to no tree");
+    case to_ground:
+      return QObject::tr("points to the ground");
+    case to_noise:
+      return QObject::tr("points to noise");
+  }
+  return {};
+}
+
 QString counted(const QString& words, std::size_t count) {
   return count == 1 ? words : QString("%1 (%2)").arg(words).arg(count);
 }
@@ -52,6 +67,10 @@ QString edit_words(const std::vector<plant::PlantEdit>& edits) {
 
 QString edit_words(const std::vector<slam::LoopEdit>& edits) {
   return counted(QObject::tr("decide loop closure"), edits.size());
+}
+
+QString edit_words(const std::vector<PointEdit>& edits) {
+  return edits.empty() ? QString() : counted(point_action_words(edits.front().action), edits.size());
 }
 
 }  // namespace bole::desktop

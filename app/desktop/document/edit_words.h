@@ -4,6 +4,7 @@
 #include <QString>
 #include <vector>
 
+#include "cloud/core/regions/point_edits.h"
 #include "plant/core/edits/plant_edits.h"
 #include "rows/core/edits/row_edits.h"
 #include "slam/core/edits/loop_edits.h"
@@ -16,5 +17,6 @@ QString edit_words(const std::vector<stems::StemEdit>& edits);
 QString edit_words(const std::vector<rows::RowEdit>& edits);
 QString edit_words(const std::vector<plant::PlantEdit>& edits);
 QString edit_words(const std::vector<slam::LoopEdit>& edits);
+QString edit_words(const std::vector<PointEdit>& edits);
 
 }  // namespace bole::desktop

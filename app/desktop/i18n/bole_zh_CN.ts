@@ -147,6 +147,22 @@
             <source>decide loop closure</source>
             <translation>判定回环</translation>
         </message>
+        <message>
+            <source>points to a tree</source>
+            <translation>点归于单木</translation>
+        </message>
+        <message>
+            <source>points to no tree</source>
+            <translation>点不属于任何树</translation>
+        </message>
+        <message>
+            <source>points to the ground</source>
+            <translation>点归于地面</translation>
+        </message>
+        <message>
+            <source>points to noise</source>
+            <translation>点归于噪声</translation>
+        </message>
     </context>
     <context>
         <name>bole::desktop::ChartView</name>
@@ -3104,6 +3120,180 @@
         <message>
             <source>move the plot boundary</source>
             <translation>移动样地边界</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::PointEditor</name>
+        <message>
+            <source>Edit points</source>
+            <translation>编辑点</translation>
+        </message>
+        <message>
+            <source>Run a pipeline first that has points and a stage that takes edits of them.</source>
+            <translation>请先运行一个含有点云和点编辑步骤的处理流程。</translation>
+        </message>
+        <message>
+            <source>Select points first.</source>
+            <translation>请先选择点。</translation>
+        </message>
+        <message>
+            <source>Select points with a brush</source>
+            <translation>用画笔选择点</translation>
+        </message>
+        <message>
+            <source>Brush</source>
+            <translation>画笔</translation>
+        </message>
+        <message>
+            <source>Paint over points with the left mouse button. Enter applies, Escape ends.</source>
+            <translation>按住鼠标左键涂过点。Enter 应用,Esc 结束。</translation>
+        </message>
+        <message>
+            <source>Select points with a polygon</source>
+            <translation>用多边形选择点</translation>
+        </message>
+        <message>
+            <source>Polygon</source>
+            <translation>多边形</translation>
+        </message>
+        <message>
+            <source>Click the corners, or draw around the points. All that is seen within is selected, at any depth.</source>
+            <translation>单击各顶点,或围绕点绘制。多边形内看到的点不论远近都被选中。</translation>
+        </message>
+        <message>
+            <source>Select points with a box</source>
+            <translation>用立方框选择点</translation>
+        </message>
+        <message>
+            <source>Box</source>
+            <translation>立方框</translation>
+        </message>
+        <message>
+            <source>Click its middle; sizes and turn stand in the form.</source>
+            <translation>单击其中心;尺寸和转角在面板中设置。</translation>
+        </message>
+        <message>
+            <source>Apply to the selected points</source>
+            <translation>应用于所选的点</translation>
+        </message>
+        <message>
+            <source>Apply</source>
+            <translation>应用</translation>
+        </message>
+        <message>
+            <source>Drop the selection of points</source>
+            <translation>放弃所选的点</translation>
+        </message>
+        <message>
+            <source>Drop</source>
+            <translation>放弃</translation>
+        </message>
+        <message>
+            <source>Click corners or draw around the points. Enter applies, Escape ends.</source>
+            <translation>单击各顶点或围绕点绘制。Enter 应用,Esc 结束。</translation>
+        </message>
+        <message>
+            <source>Click the middle of the box. Enter applies, Escape ends.</source>
+            <translation>单击立方框的中心。Enter 应用,Esc 结束。</translation>
+        </message>
+        <message>
+            <source>The outline crosses itself: draw it again.</source>
+            <translation>轮廓自相交,请重新绘制。</translation>
+        </message>
+        <message>
+            <source>Points selected: %1</source>
+            <translation>已选点数:%1</translation>
+        </message>
+        <message>
+            <source>new tree of points</source>
+            <translation>由点新建单木</translation>
+        </message>
+        <message>
+            <source>Points given: %1</source>
+            <translation>已归属点数:%1</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::PointPanel</name>
+        <message>
+            <source>Selected tree</source>
+            <translation>所选单木</translation>
+        </message>
+        <message>
+            <source>New tree</source>
+            <translation>新单木</translation>
+        </message>
+        <message>
+            <source>No tree</source>
+            <translation>不属于任何树</translation>
+        </message>
+        <message>
+            <source>Ground</source>
+            <translation>地面</translation>
+        </message>
+        <message>
+            <source>Noise</source>
+            <translation>噪声</translation>
+        </message>
+        <message>
+            <source>What the selected points become. A new tree stands where the points hold a stem.</source>
+            <translation>所选点的归属。新单木位于这些点中树干所在处。</translation>
+        </message>
+        <message>
+            <source>Points become</source>
+            <translation>点归于</translation>
+        </message>
+        <message>
+            <source>All points</source>
+            <translation>所有点</translation>
+        </message>
+        <message>
+            <source>Points of no tree</source>
+            <translation>不属于任何树的点</translation>
+        </message>
+        <message>
+            <source>Points of the selected tree</source>
+            <translation>所选单木的点</translation>
+        </message>
+        <message>
+            <source>Which of the selected points change. Ground and noise take all.</source>
+            <translation>所选的点中哪些改变。归于地面和噪声时全部改变。</translation>
+        </message>
+        <message>
+            <source>Only</source>
+            <translation>仅限</translation>
+        </message>
+        <message>
+            <source>Points so near the stroke of the brush are selected</source>
+            <translation>与画笔轨迹的距离不超过此值的点被选中</translation>
+        </message>
+        <message>
+            <source>Radius of the brush</source>
+            <translation>画笔半径</translation>
+        </message>
+        <message>
+            <source>Size of the box: x, y and z before it is turned</source>
+            <translation>立方框的尺寸:旋转前的 x、y、z</translation>
+        </message>
+        <message>
+            <source>Size of the box</source>
+            <translation>立方框尺寸</translation>
+        </message>
+        <message>
+            <source>Turns the box about the vertical, anti-clockwise seen from above</source>
+            <translation>立方框绕铅垂轴旋转,俯视为逆时针</translation>
+        </message>
+        <message>
+            <source>Turn of the box</source>
+            <translation>立方框转角</translation>
+        </message>
+        <message>
+            <source> m</source>
+            <translation> m</translation>
+        </message>
+        <message>
+            <source>Brush, draw around or click points in the 3-D view.</source>
+            <translation>在三维视图中涂画、围绕绘制或单击点。</translation>
         </message>
     </context>
 </TS>

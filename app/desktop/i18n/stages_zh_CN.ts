@@ -108,6 +108,10 @@
             <translation>导航参数整定</translation>
         </message>
         <message>
+            <source>Edit points</source>
+            <translation>编辑点</translation>
+        </message>
+        <message>
             <source>Edit stems</source>
             <translation>编辑单木</translation>
         </message>
@@ -266,6 +270,10 @@
 </context>
     <context>
         <name>stage help</name>
+        <message>
+            <source>Keeps the points that a person gave to a tree, to no tree, to the ground or to noise: to_tree, to_no_tree, to_ground and to_noise, each with author, time and reason. Points are selected by an outline drawn over a view, a box or the stroke of a brush, never by their numbers, so that the same edits hold for a cloud that was thinned or read again. ground.model leaves points of noise out and takes those given to the ground for ground; stems.measure gives points to trees before it measures heights, crowns and volumes; stems.edit does so for trees that a person added. Diameters do not follow from points given to a tree.</source>
+            <translation>保存人工判定的点：归于某株树(to_tree)、不属于任何树(to_no_tree)、归于地面(to_ground)或噪声(to_noise)，各带作者、时间和理由。点由在视图上绘制的轮廓、立方框或画笔轨迹选取，从不按点号，因此同样的编辑也适用于抽稀或重新读入的点云。ground.model 剔除噪声点，并把归于地面的点当作地面；stems.measure 在测定树高、树冠和材积之前把点归于单木；stems.edit 对人工添加的单木同样处理。胸径不随归于单木的点改变。</translation>
+        </message>
         <message>
             <source>Compares stems and trajectory with a reference. Stems are matched one to one (Hungarian method) within distance and diameter gates; rejected stems take no part. Reports completeness and correctness, mean and covariance of the position error, and bias and RMSE of the diameters, overall, by diameter class and, where a plot is connected, by distance from its centre. Reports the absolute and relative error of the trajectory. Without a reference the tables are empty. Columns of a field list with other headings are guessed and the guess is reported.</source>
             <translation>将单木和轨迹与参考数据比较:在距离和直径阈值内用匈牙利法做一对一匹配,给出完整率和正确率、位置误差的均值与协方差、直径的偏差与 RMSE;既给出总体结果,也按径阶给出,连接样地时还按到样地中心的距离给出;被拒绝的单木不参与;另给出轨迹的绝对误差和相对误差。没有参考数据时各表为空。外业清单的列名不同时,按标题猜测并予以说明。</translation>

@@ -58,8 +58,8 @@ void SceneView::set_place_taker(const QObject* taker, Takes takes) {
   if (taker == place_taker_ && takes == takes_) return;
   place_taker_ = taker;
   takes_ = taker == nullptr ? Takes::places : takes;
-  path_px_.clear();
-  draw_outline();
+  stroking_ = false;
+  drop_outline();
   setCursor(taker != nullptr ? Qt::CrossCursor : Qt::ArrowCursor);
   Q_EMIT place_taker_changed(taker);
 }
@@ -80,17 +80,29 @@ void SceneView::take_place(const QPoint& at) {
   }
 }
 
+void SceneView::drop_outline() {
+  path_px_.clear();
+  cursor_px_.reset();
+  draw_outline();
+}
+
+void SceneView::take_stroke(const QPoint& at, bool begins) {
+  if (const auto point = point_at(at)) Q_EMIT stroke_taken(survey_.points->position(*point), begins);
+}
+
 SceneOutline SceneView::outline_drawn() {
   auto* camera = renderer_->GetActiveCamera();
   std::optional<Eigen::Vector3d> eye;
   if (!parallel()) eye = Eigen::Vector3d(camera->GetPosition()) + origin_;
   const Eigen::Vector3d target = Eigen::Vector3d(camera->GetFocalPoint()) + origin_;
-  return outline_of(simplified(path_px_, outline_tolerance_px * devicePixelRatioF()), pick_view(), target, eye);
+  auto path = simplified(path_px_, outline_tolerance_px * devicePixelRatioF());
+  if (cursor_px_) path.push_back(*cursor_px_);
+  return outline_of(path, pick_view(), target, eye);
 }
 
 void SceneView::draw_outline() {
   std::vector<SceneDrawing> drawings;
-  if (path_px_.size() > 1) {
+  if (path_px_.size() > 1 || (cursor_px_ && !path_px_.empty())) {
     SceneDrawing d;
     d.lines = {outline_drawn().corners};
     if (!d.lines[0].empty()) d.lines[0].push_back(d.lines[0].front());
@@ -101,8 +113,9 @@ void SceneView::draw_outline() {
 }
 
 void SceneView::take_outline() {
+  cursor_px_.reset();
   const auto outline = outline_drawn();
-  path_px_.clear();
+  if (takes_ == Takes::outlines) path_px_.clear();
   draw_outline();
   if (outline.corners.size() >= 3) Q_EMIT outline_taken(outline);
 }
@@ -146,20 +159,25 @@ bool SceneView::event(QEvent* event) {
     const auto* press = static_cast<QMouseEvent*>(event);
     const bool grips = press->button() == Qt::LeftButton && place_taker_ == nullptr;
     dragged_ = grips ? grip_at(press->pos()) : std::nullopt;
-    path_px_.clear();
-    if (place_taker_ != nullptr && takes_ == Takes::outlines && press->button() == Qt::LeftButton)
-      path_px_ = {to_pixels(press->pos())};
+    const bool left = place_taker_ != nullptr && press->button() == Qt::LeftButton;
+    if (takes_ != Takes::corners) path_px_.clear();
+    if (left && (takes_ == Takes::outlines || takes_ == Takes::corners)) {
+      cursor_px_.reset();
+      path_px_.push_back(to_pixels(press->pos()));
+    }
+    stroking_ = left && takes_ == Takes::strokes && point_at(press->pos());
   }
   const bool mouse =
       type == QEvent::MouseButtonPress || type == QEvent::MouseMove || type == QEvent::MouseButtonRelease;
   // Past VTK's own event(), which would hand the mouse to its interactor.
   // NOLINTNEXTLINE(bugprone-parent-virtual-call)
-  return (dragged_ || !path_px_.empty()) && mouse ? QOpenGLWidget::event(event) : QVTKOpenGLNativeWidget::event(event);
+  return takes_drag() && mouse ? QOpenGLWidget::event(event) : QVTKOpenGLNativeWidget::event(event);
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
   pressed_at_ = event->pos();
-  if (!dragged_ && path_px_.empty()) QVTKOpenGLNativeWidget::mousePressEvent(event);
+  if (stroking_) take_stroke(event->pos(), true);
+  if (!takes_drag()) QVTKOpenGLNativeWidget::mousePressEvent(event);
 }
 
 // What was clicked twice becomes the centre of rotation, and of the view.
@@ -179,8 +197,13 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
+  if (stroking_) return take_stroke(event->pos(), false);
   if (!path_px_.empty()) {
     const Eigen::Vector2d at = to_pixels(event->pos());
+    if (!event->buttons().testFlag(Qt::LeftButton)) {
+      if (takes_ == Takes::corners) cursor_px_ = at;
+      return draw_outline();
+    }
     if ((at - path_px_.back()).norm() < outline_step_px) return;
     path_px_.push_back(at);
     return draw_outline();
@@ -196,7 +219,8 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
-  if (!path_px_.empty()) return take_outline();
+  if (std::exchange(stroking_, false)) return stroke_ended();
+  if (!path_px_.empty()) return event->button() == Qt::LeftButton ? take_outline() : void();
   if (dragged_) {
     const auto grip = *std::exchange(dragged_, std::nullopt);
     const auto at = dragged_to(grip, pick_view(), to_pixels(event->pos()));
@@ -215,6 +239,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void SceneView::wheelEvent(QWheelEvent* event) {
+  if (!path_px_.empty()) return event->accept();  // its corners are places of this view
   const auto view = pick_view();
   const Eigen::Vector2d px = to_pixels(event->position().toPoint());
   zoom_towards(renderer_->GetActiveCamera(), {2 * px.x() / view.width_px - 1, 2 * px.y() / view.height_px - 1},

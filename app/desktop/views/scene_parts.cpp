@@ -17,6 +17,8 @@ namespace bole::desktop {
 namespace {
 
 constexpr double highlight_m = 0.12;  // by how much the ring of the selected tree stands off its bark
+constexpr std::size_t max_marked = 300'000;
+constexpr double marked_wider_px = 2;  // than other points
 
 }  // namespace
 
@@ -71,11 +73,31 @@ render::ClipBox SceneView::everything() const {
 }
 
 int SceneView::actor_count() {
-  return renderer_->GetActors()->GetNumberOfItems() - static_cast<int>(layer_.actors()) +
+  return renderer_->GetActors()->GetNumberOfItems() - static_cast<int>(layer_.actors()) - (marked_ ? 1 : 0) +
          (survey_.points && !survey_.points->empty() ? 1 : 0);
 }
 
+void SceneView::mark_points(const std::vector<std::uint32_t>& points) {
+  if (!marked_ && points.empty()) return;
+  if (marked_) renderer_->RemoveActor(marked_);
+  marked_ = nullptr;
+  if (survey_.points && !points.empty()) {
+    const std::size_t step = points.size() / max_marked + 1;
+    std::vector<std::uint32_t> drawn;
+    for (std::size_t i = 0; i < points.size(); i += step) drawn.push_back(points[i]);
+    marked_ = render::points_actor(*survey_.points, drawn, {}, origin_,
+                                   (settings_.point_size_px + marked_wider_px) * devicePixelRatioF());
+    marked_->GetMapper()->ScalarVisibilityOff();
+    const render::Color orange = render::hex(0xff7a00);
+    marked_->GetProperty()->SetColor(orange.r, orange.g, orange.b);
+    renderer_->AddActor(marked_);
+  }
+  redraw();
+}
+
 void SceneView::rebuild() {
+  if (marked_) renderer_->RemoveActor(marked_);
+  marked_ = nullptr;
   layer_.show(nullptr, nullptr, origin_);
   for (const auto& actor : actors_) renderer_->RemoveActor(actor);
   actors_.clear();

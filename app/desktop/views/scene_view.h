@@ -83,10 +83,15 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::optional<std::uint32_t> picked() const { return picked_; }
 
   // While somebody takes places, a click gives one to all who listen instead of selecting what is there. One at a time:
-  // a taker that hears of another one stops. Null: nobody. Where outlines are taken the left button draws one.
-  enum class Takes { places, outlines };
+  // a taker that hears of another one stops. Null: nobody. Where outlines are taken the left button draws one. Where
+  // corners are, clicks add to one and a drag draws a part of it: it is told after each, and stays until
+  // drop_outline(). Strokes are places in a row under the left button that is held.
+  enum class Takes { places, outlines, corners, strokes };
   void set_place_taker(const QObject* taker, Takes takes = Takes::places);
   const QObject* place_taker() const { return place_taker_; }
+  void drop_outline();
+  // Points of the survey that stand out until others do, or another survey is shown. At most 300 000 are drawn.
+  void mark_points(const std::vector<std::uint32_t>& points);
 
   // What lies over the picture, one list for each layer ("rows", "measurements").
   void set_drawings(const std::string& layer, std::vector<SceneDrawing> drawings);
@@ -122,6 +127,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void point_picked(const QStringList& facts);
   void place_taken(const Eigen::Vector3d& place, const QVariant& point);  // index of the point, null on bare ground
   void outline_taken(const SceneOutline& outline);
+  void stroke_taken(const Eigen::Vector3d& place, bool begins);
+  void stroke_ended();
   void place_taker_changed(const QObject* taker);
   void drawing_clicked(const QString& layer, int drawing);
   void drawings_changed(const QString& layer);
@@ -172,6 +179,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   Eigen::Vector3d stem_place_of(std::int64_t tree) const;  // at breast height; the centre when it is not drawn
   void draw_outline();
   void take_outline();
+  void take_stroke(const QPoint& at, bool begins);
+  bool takes_drag() const { return dragged_ || stroking_ || !path_px_.empty(); }
   SceneOutline outline_drawn();
 
   Selection& selection_;
@@ -194,7 +203,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   vtkSmartPointer<MapStyle> style_;
   render::FurnitureLayer furniture_;
   std::vector<vtkSmartPointer<vtkActor>> actors_;
-  vtkSmartPointer<vtkActor> highlight_, grid_;
+  vtkSmartPointer<vtkActor> highlight_, grid_, marked_;
   CameraLayer cameras_;
   Eigen::Vector3d eye_ = Eigen::Vector3d::Zero();  // where look_along() put the camera
   std::vector<double> last_eye_;                   // of the last frame: place, direction, angle and size
@@ -211,7 +220,9 @@ class SceneView : public QVTKOpenGLNativeWidget {
   bool moving_ = false, complete_ = true, timed_ = false;
   const QObject* place_taker_ = nullptr;
   Takes takes_ = Takes::places;
-  std::vector<Eigen::Vector2d> path_px_;  // of the outline that is being drawn
+  std::vector<Eigen::Vector2d> path_px_;      // of the outline that is being drawn
+  std::optional<Eigen::Vector2d> cursor_px_;  // where its next corner would be
+  bool stroking_ = false;
   FramePace pace_;
   std::chrono::steady_clock::time_point frame_start_;
   QPoint pressed_at_;

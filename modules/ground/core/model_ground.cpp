@@ -12,6 +12,7 @@
 #include "cloud/height_facts.h"
 #include "ground/core/columns.h"
 #include "ground/core/fill_holes.h"
+#include "ground/core/given_ground.h"
 #include "ground/core/height_reference.h"
 #include "ground/core/heights.h"
 #include "ground/core/low_points.h"
@@ -140,8 +141,14 @@ GroundModel normalised_ground(const PointCloud& cloud, const GridShape& shape, c
 // The terrain by triangulation and local fits.
 class TinTerrain {
  public:
-  TinTerrain(const PointCloud& cloud, const PointGrid& grid, const GroundScales& scales, const Run& run)
-      : cloud_(cloud), grid_(grid), shape_(grid.shape()), scales_(scales), run_(run) {}
+  TinTerrain(const PointCloud& cloud, const PointGrid& grid, const std::vector<std::uint8_t>& given,
+             const GroundScales& scales, const Run& run)
+      : cloud_(cloud),
+        grid_(grid),
+        shape_(grid.shape()),
+        given_(given_candidates(cloud, given, shape_)),
+        scales_(scales),
+        run_(run) {}
 
   GroundModel model(const std::vector<LowPoint>& candidates, const std::vector<UprightColumn>& columns) {
     find_surface(candidates, columns);
@@ -175,6 +182,12 @@ class TinTerrain {
   void find_surface(std::vector<LowPoint> candidates, const std::vector<UprightColumn>& columns) {
     constexpr int max_rounds = 3;
     std::vector<std::uint32_t> pinned;
+    const auto take = [&](FootedCandidates found) {
+      if (!given_.empty()) found = with_given(found, given_);
+      candidates = std::move(found.candidates);
+      pinned = std::move(found.feet);
+    };
+    if (!given_.empty()) take({std::move(candidates), {}});
     for (int round = 0; round < max_rounds; ++round) {
       prior_ = surface_heights(tin_ground(candidates, pinned, shape_, scales_, run_), shape_);
       const auto through = columns_through(columns, shape_, prior_);
@@ -183,9 +196,7 @@ class TinTerrain {
       std::ranges::sort(feet_);
       feet_.erase(std::unique(feet_.begin(), feet_.end()), feet_.end());
       if (feet_.size() == before) return;
-      auto footed = with_feet(candidates, columns, feet_, shape_, 2 * scales_.seed);
-      candidates = std::move(footed.candidates);
-      pinned = std::move(footed.feet);
+      take(with_feet(candidates, columns, feet_, shape_, 2 * scales_.seed));
     }
     prior_ = surface_heights(tin_ground(candidates, pinned, shape_, scales_, run_), shape_);
   }
@@ -223,6 +234,7 @@ class TinTerrain {
   const PointCloud& cloud_;
   const PointGrid& grid_;
   const GridShape& shape_;
+  std::vector<LowPoint> given_;  // ground that a person pointed out
   const GroundScales& scales_;
   const Run& run_;
   std::vector<float> prior_;
@@ -288,7 +300,8 @@ std::string evidence_of_normalised(const PointCloud& cloud, const Run& run) {
   return reference.above_ground ? reference.evidence : std::string();
 }
 
-GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, const Run& run) {
+GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, const Run& run,
+                         const std::vector<std::uint8_t>& given) {
   run.report(0.0, "Sorting points into cells");
   const auto scales = scales_for(cloud, options);
   const GridShape shape = grid_over(cloud, scales.cell);
@@ -300,7 +313,7 @@ GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, 
   if (!options.method && seen.reference.above_ground)
     return normalised_ground(cloud, shape, scales, seen.reference.evidence, run);
 
-  auto model = TinTerrain(cloud, seen.grid, scales, run).model(seen.candidates, seen.columns);
+  auto model = TinTerrain(cloud, seen.grid, given, scales, run).model(seen.candidates, seen.columns);
   judge_terrain(seen.reference, model.height_above_ground, model.report);
   run.report(1.0, "Terrain model done");
   return model;

@@ -24,8 +24,10 @@ struct GroundModel {
 };
 
 // z of `cloud` points up. Throws Error{bad_input} for a cloud without finite points or of too great an extent,
-// Error{failed} when no ground is found. What speaks against the terrain is a finding of the report.
-GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, const Run& run);
+// Error{failed} when no ground is found. What speaks against the terrain is a finding of the report. `given`: by point
+// the class that a person gave (given_ground.h); points given to the ground carry the terrain where it is triangulated.
+GroundModel model_ground(const PointCloud& cloud, const GroundOptions& options, const Run& run,
+                         const std::vector<std::uint8_t>& given = {});
 
 // Heights and classes over a terrain that was made before, of which the model is a copy. Throws Error{bad_input} where
 // it lies below no point of the cloud.

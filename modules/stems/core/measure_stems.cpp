@@ -12,6 +12,7 @@
 #include "cloud/large_cloud.h"
 #include "stems/core/detect/ray_test.h"
 #include "stems/core/detect/sensor_positions.h"
+#include "stems/core/edits/give_points.h"
 #include "stems/core/fit/forks.h"
 #include "stems/core/fit/learn_priors.h"
 #include "stems/core/fit/pass_alignment.h"
@@ -48,8 +49,10 @@ class Survey {
     out_.breast_height_m = breast_height_;
   }
 
-  StemSurvey measure(const PooledPriors* pooled) {
+  StemSurvey measure(const PooledPriors* pooled, const std::vector<PointEdit>& given) {
     pooled_ = pooled;
+    given_ = given;
+    points_ = without_given_classes(points_, given_, run_);
     take_sensor();
     auto priors = search();
     if (pooled_ == nullptr)
@@ -272,9 +275,11 @@ class Survey {
     run_.report(0.85, "points of each tree");
     leave_memory(points_);  // the rays of a large cloud, read all over it by the fits
     auto labels = assign_points(out_.stems, points_, options_, run_);
+    give(labels, nullptr);  // the stem curve follows the points of its tree
     run_.report(0.88, "stem curves and crowns");
     follow_stems(out_.stems, points_, labels, breast_height_, options_, run_, out_.report);
-    const auto growth = grow_crowns(out_.stems, points_, options_, run_, labels);
+    auto growth = grow_crowns(out_.stems, points_, options_, run_, labels);
+    give(labels, &growth);
     run_.report(0.94, "tops, volumes and crowns");
     out_.tops = measure_tops(out_.stems, points_, labels, growth, sensor_of_point(), run_, out_.report);
     measure_volumes(out_.stems, breast_height_, run_, out_.report);
@@ -284,7 +289,22 @@ class Survey {
     out_.points.set_column(arrays::stem, std::move(labels.stem));
   }
 
+  // What a person gave to a tree no other can claim.
+  void give(PointLabels& labels, CrownGrowth* growth) {
+    if (given_.empty()) return;
+    std::vector<TreePlace> trees;
+    for (const auto& s : out_.stems) trees.push_back({s.id, (points_.origin + s.breast_height).head<2>()});
+    std::vector<std::uint8_t> by_hand;
+    give_points(points_, given_, trees, labels, run_, &by_hand);
+    if (growth == nullptr || growth->lead_m.size() != by_hand.size()) return;
+    for (std::size_t i = 0; i < by_hand.size(); ++i)
+      if (by_hand[i] != 0) growth->lead_m[i] = std::numeric_limits<float>::infinity();
+    out_.report.counts["points_given_by_hand"] = std::ranges::count(by_hand, 1);
+    growth->by_hand = std::move(by_hand);
+  }
+
   const PointCloud& input_;
+  std::vector<PointEdit> given_;
   PointCloud points_;  // with the passes brought together
   const PooledPriors* pooled_ = nullptr;
   std::vector<PassAlignment> alignments_;
@@ -315,9 +335,9 @@ void check(const PointCloud& points) {
 
 StemSurvey measure_stems(const PointCloud& points, double breast_height, const Raster& dem,
                          const Trajectory* trajectory, const MeasureOptions& options, const Run& run,
-                         const PooledPriors* pooled) {
+                         const PooledPriors* pooled, const std::vector<PointEdit>& given) {
   check(points);
-  return Survey(points, breast_height, dem, trajectory, options, run).measure(pooled);
+  return Survey(points, breast_height, dem, trajectory, options, run).measure(pooled, given);
 }
 
 std::vector<StemEvidence> stem_evidence(const PointCloud& points, double breast_height, const Raster& dem,

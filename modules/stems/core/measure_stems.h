@@ -4,6 +4,7 @@
 #include "base/report.h"
 #include "base/run.h"
 #include "cloud/breast_height.h"
+#include "cloud/core/regions/point_edits.h"
 #include "cloud/raster.h"
 #include "cloud/table.h"
 #include "cloud/trajectory.h"
@@ -34,10 +35,11 @@ struct StemSurvey {
 // come from the facts of `points` where the options leave them open. `breast_height` is above ground. Throws
 // Error{bad_input} on an empty cloud; a plot without stems gives empty tables and a warning that says what was looked
 // at. With `pooled` nothing is learnt from the stems of this cloud: they are fitted with what all stems of a larger
-// one say, and passes are not brought together.
+// one say, and passes are not brought together. Points that a person gave to a tree (`given`) are of that tree before
+// heights, crowns and volumes are measured; those given to the ground or to noise are left out.
 StemSurvey measure_stems(const PointCloud& points, double breast_height, const Raster& dem,
                          const Trajectory* trajectory, const MeasureOptions& options, const Run& run,
-                         const PooledPriors* pooled = nullptr);
+                         const PooledPriors* pooled = nullptr, const std::vector<PointEdit>& given = {});
 
 // What each stem of a first look says about the errors that all share, to be pooled. Throws as measure_stems().
 std::vector<StemEvidence> stem_evidence(const PointCloud& points, double breast_height, const Raster& dem,

@@ -111,8 +111,8 @@ void PlantEditor::make_commands() {
   add("plant.cut_box", tr("Cut off what lies in the clip box"), tr("Clip box"), "Shift+X",
       [this] {
         const auto& box = *bench_.scene().settings().clip;
-        plant::PointRegion region;
-        region.kind = plant::PointRegion::Kind::box;
+        PointRegion region;
+        region.kind = PointRegion::Kind::box;
         region.min = box.lo;
         region.max = box.hi;
         cut(region);
@@ -173,7 +173,7 @@ void PlantEditor::set_stem_height(double height) {
 }
 
 // Points are cut off the plant alone: what lies behind it stays what it is.
-void PlantEditor::cut(const plant::PointRegion& region) {
+void PlantEditor::cut(const PointRegion& region) {
   auto edit = plant_edit(PlantAction::assign);
   edit.region = region;
   edit.part = form_.cut_becomes();
@@ -239,8 +239,8 @@ void PlantEditor::stop() {
 }
 
 void PlantEditor::take_outline(const SceneOutline& outline) {
-  plant::PointRegion region;
-  region.kind = plant::PointRegion::Kind::outline;
+  PointRegion region;
+  region.kind = PointRegion::Kind::outline;
   for (const auto& corner : outline.corners) region.outline.push_back(rounded(corner));
   if (outline.eye) region.eye = rounded(*outline.eye);
   stop();

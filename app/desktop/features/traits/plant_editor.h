@@ -27,7 +27,7 @@ class PlantEditor : public QObject {
   // Each is one step of undo, after which the plant is measured again. Metres in world axes. Throw bole::Error.
   void set_base(const Eigen::Vector3d& base);
   void set_stem_height(double height);  // above the soil
-  void cut(const plant::PointRegion& region);
+  void cut(const PointRegion& region);
   void give_value(const std::string& trait, double value_mm);
   void decide(plant::PlantEdit::Action action, const std::string& note = {});  // accept, reject, note
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "cloud/core/regions/point_region.h"
 #include "cloud/edit_list.h"
-#include "plant/core/edits/point_region.h"
 #include "plant/core/separate/plant_scene.h"
 
 namespace bole::plant {

@@ -8,6 +8,7 @@
 
 #include "base/arrays.h"
 #include "base/no_number.h"
+#include "stems/core/edits/edited_points.h"
 #include "stems/core/edits/plot_numbers.h"
 #include "stems/core/edits/relabel_points.h"
 #include "stems/core/edits/table_rows.h"
@@ -39,6 +40,7 @@ class Editor {
         throw bad_input(fmt::format("a stem table without {}", needed), "tree_id, x_m, y_m, dbh_cm");
     stems_.want_texts("note"), stems_.want_texts("state");
     for (std::size_t i = 0; i < stems_.size(); ++i) last_id_ = std::max(last_id_, id_of(i));
+    measured_ = places_of(stems_);
   }
 
   EditedStems run(const std::vector<StemEdit>& edits) {
@@ -48,14 +50,21 @@ class Editor {
       apply_one(i + 1, edits[i]);
     }
     EditedStems out;
+    if (in_.points != nullptr) {
+      out.points = relabel_points(renumbered(*in_.points, new_ids_, run_), relabels_, run_);
+      if (in_.point_edits != nullptr && out.points->has(arrays::tree_id))
+        out.points = give_edited_points(*out.points, *in_.point_edits, measured_, stems_, log_, report_, run_);
+    }
     out.stems = stems_.table(), out.sections = sections_.table(), out.log = log_.table();
-    if (in_.points != nullptr) out.points = relabel_points(renumbered(*in_.points, new_ids_, run_), relabels_, run_);
     auto& r = report_;
     r.counts["edits"] = static_cast<std::int64_t>(edits.size());
     r.counts["applied"] = static_cast<std::int64_t>(edits.size()) - conflicts_;
     r.counts["conflicts"] = conflicts_;
     r.counts["stems"] = static_cast<std::int64_t>(stems_.size());
     r.message = edits.empty() ? "no edits" : fmt::format("{} of {} edits applied", r.counts["applied"], edits.size());
+    if (const auto points = r.counts.find("point_edits"); points != r.counts.end())
+      r.message +=
+          fmt::format(", {} of {} edits of points", points->second - r.counts["point_conflicts"], points->second);
     out.report = std::move(r);
     return out;
   }
@@ -328,6 +337,7 @@ class Editor {
   NewIds new_ids_;
   TableRows stems_, sections_, log_{empty_log()};
   std::vector<Relabel> relabels_;
+  std::vector<TreePlace> measured_;
   Report report_;
   std::int64_t last_id_ = 0, tree_ = 0, conflicts_ = 0;
   std::string said_;

@@ -28,6 +28,7 @@ struct EditInputs {
   const PointCloud* points = nullptr;  // with tree_id; gets the changed ids
   const PointCloud* slice = nullptr;   // points at breast height: what an added stem without a diameter is fitted to
   const Table* plot = nullptr;         // which trees count: their ids come first
+  const Table* point_edits = nullptr;  // points that a person gave to trees, from survey.edit_points
 };
 
 struct EditedStems {

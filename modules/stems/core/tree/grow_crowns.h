@@ -12,7 +12,8 @@ namespace bole::stems {
 // How sure it is whose a point is: the cost of the way to it from the next best tree less that from its own, metres.
 // Infinity where no other tree reaches it.
 struct CrownGrowth {
-  std::vector<float> lead_m;  // by point; NaN for points that growth did not label
+  std::vector<float> lead_m;            // by point; NaN for points that growth did not label
+  std::vector<std::uint8_t> by_hand{};  // by point: 1 where a person gave it to its tree. Empty: nobody did
 };
 
 // Trees grow from their stems through cells that hold points, all at once, each cell to the tree with the shortest way

@@ -98,6 +98,7 @@ struct Top {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();             // of the highest point
   std::uint32_t tip_points = 0;                             // within tip_m below it
   double lead_m = std::numeric_limits<double>::infinity();  // median over the tip
+  bool by_hand = false;                                     // a person gave the tree points there
 };
 
 // Index of the stem by tree id; -1 for none.
@@ -133,9 +134,11 @@ struct Bin {
   std::uint32_t points = 0;
   double highest = 0;
   Eigen::Vector2d at = Eigen::Vector2d::Zero();
+  bool by_hand = false;
 
-  void add(double h, const Eigen::Vector3f& p) {
+  void add(double h, const Eigen::Vector3f& p, bool given) {
     ++points;
+    by_hand = by_hand || given;
     if (h <= highest) return;
     highest = h;
     at = p.head<2>().cast<double>();
@@ -143,16 +146,19 @@ struct Bin {
 };
 using Bins = std::vector<Bin>;
 
-// The highest bin that holds enough, upwards until a gap that no tree has; null where none does.
+// The highest bin that holds enough, upwards until a gap that no tree has, unless a person gave the tree what is above
+// it; null where none does.
 const Bin* top_bin(const Bins& bins) {
   const Bin* top = nullptr;
   double gap = 0;
   for (const auto& bin : bins) {
-    if (bin.points >= min_bin_points) {
+    if (bin.points < min_bin_points) {
+      gap += bin_m;
+    } else if (top == nullptr || gap <= widest_empty_m || bin.by_hand) {
       top = &bin;
       gap = 0;
-    } else if ((gap += bin_m) > widest_empty_m && top) {
-      break;
+    } else {
+      gap = std::numeric_limits<double>::infinity();  // what lies higher is no part of it either
     }
   }
   return top;
@@ -164,15 +170,18 @@ std::vector<Top> find_tops(const std::vector<Stem>& stems, const PointCloud& poi
   std::vector<Bins> all(stems.size(), empty), own(stems.size(), empty);
   for_each_labelled(stems, points, labels, run, [&](std::size_t k, std::size_t i, double h) {
     const auto bin = static_cast<std::size_t>(h / bin_m);
-    all[k][bin].add(h, points.positions()[i]);
-    if (!(growth.lead_m[i] < min_overtopped_lead_m) && over_stem(stems[k], points.positions()[i].cast<double>(), h))
-      own[k][bin].add(h, points.positions()[i]);
+    const bool given = !growth.by_hand.empty() && growth.by_hand[i] != 0;
+    all[k][bin].add(h, points.positions()[i], given);
+    if (given ||
+        (!(growth.lead_m[i] < min_overtopped_lead_m) && over_stem(stems[k], points.positions()[i].cast<double>(), h)))
+      own[k][bin].add(h, points.positions()[i], given);
   });
   std::vector<Top> tops(stems.size());
   for (std::size_t k = 0; k < stems.size(); ++k) {
     if (const auto* top = top_bin(all[k])) {
       tops[k].height_m = top->highest;
       tops[k].at = top->at;
+      tops[k].by_hand = top->by_hand;
     }
     if (const auto* top = top_bin(own[k])) tops[k].own_m = top->highest;
   }
@@ -245,7 +254,7 @@ TopVerdict verdict_of(const Stem& s, const Top& top, const CanopyTop& canopy, bo
   if (top.height_m < bare_stem_m) return TopVerdict::low;
   if (!in_reach) return TopVerdict::out_of_reach;
   if (canopy.empty_share(top.at, beside_m) > max_empty_beside) return TopVerdict::at_edge;
-  if (!over_stem(s, {top.at.x(), top.at.y(), z}, top.height_m)) return TopVerdict::off_axis;
+  if (!top.by_hand && !over_stem(s, {top.at.x(), top.at.y(), z}, top.height_m)) return TopVerdict::off_axis;
   if (top.lead_m < min_overtopped_lead_m && canopy.highest(top.at, beside_m) > z + overhang_m)
     return TopVerdict::overtopped;
   if (top.lead_m < min_lead_m) return TopVerdict::contested;
