@@ -1,0 +1,91 @@
+#include "features/lesson/question_view.h"
+
+#include <QButtonGroup>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QVBoxLayout>
+
+#include "features/lesson/lesson_words.h"
+
+namespace bole::desktop {
+namespace {
+
+constexpr int number_width_px = 110;
+
+QLabel* wrapped(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setWordWrap(true);
+  return label;
+}
+
+}  // namespace
+
+QuestionView::QuestionView(LessonGuide& guide, int question, QWidget* parent)
+    : QWidget(parent), guide_(guide), question_(question), feedback_(wrapped({}, this)) {
+  setObjectName("lesson_question");
+  const auto& asked = guide.step().questions.at(static_cast<std::size_t>(question));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 6, 0, 0);
+  auto* ask = wrapped(lesson_text(asked.ask), this);
+  QFont bold = ask->font();
+  bold.setBold(true);
+  ask->setFont(bold);
+  layout->addWidget(ask);
+  if (asked.choices.empty())
+    add_number(asked, *layout);
+  else
+    add_choices(asked, *layout);
+  auto* check_it = new QPushButton(tr("Check answer"), this);
+  check_it->setObjectName("lesson_check");
+  connect(check_it, &QPushButton::clicked, this, &QuestionView::check);
+  if (number_) connect(number_, &QLineEdit::returnPressed, this, &QuestionView::check);
+  auto* line = new QHBoxLayout;
+  line->addWidget(check_it);
+  line->addStretch(1);
+  layout->addLayout(line);
+  feedback_->setObjectName("lesson_feedback");
+  feedback_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  feedback_->setText(guide.progress().right(guide.step_index(), question) ? tr("You answered this rightly.")
+                                                                          : QString());
+  layout->addWidget(feedback_);
+}
+
+// The words of a choice wrap, which those of a QRadioButton cannot: they are a label beside it.
+void QuestionView::add_choices(const LessonQuestion& question, QVBoxLayout& layout) {
+  choices_ = new QButtonGroup(this);
+  auto* grid = new QGridLayout;
+  grid->setColumnStretch(1, 1);
+  for (int i = 0; i < static_cast<int>(question.choices.size()); ++i) {
+    auto* button = new QRadioButton(this);
+    auto* words = wrapped(lesson_text(question.choices[static_cast<std::size_t>(i)].text), this);
+    words->setBuddy(button);
+    button->setAccessibleName(words->text());
+    choices_->addButton(button, i);
+    grid->addWidget(button, i, 0, Qt::AlignTop);
+    grid->addWidget(words, i, 1);
+  }
+  layout.addLayout(grid);
+}
+
+void QuestionView::add_number(const LessonQuestion& question, QVBoxLayout& layout) {
+  number_ = new QLineEdit(this);
+  number_->setObjectName("lesson_number");
+  number_->setMaximumWidth(number_width_px);
+  number_->setAccessibleName(lesson_text(question.ask));
+  auto* line = new QHBoxLayout;
+  line->addWidget(number_);
+  line->addWidget(new QLabel(QString::fromStdString(question.unit), this));
+  line->addStretch(1);
+  layout.addLayout(line);
+}
+
+void QuestionView::check() {
+  const auto said = number_ ? guide_.answer_number(question_, number_->text())
+                            : guide_.answer_choice(question_, choices_->checkedId());
+  feedback_->setText((said.right ? QStringLiteral("✓ ") : QString()) + said.text);
+}
+
+}  // namespace bole::desktop
