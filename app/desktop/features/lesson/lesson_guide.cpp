@@ -58,6 +58,8 @@ void LessonGuide::begin_again() {
 
 void LessonGuide::leave() {
   cancel();
+  auto& session = bench_.session();
+  if (session.has_document() && is_lesson_path(session.path())) session.save(session.path());  // asks nothing later
   lesson_ = nullptr;
   showing_ = false;
   run_ = ended_ = {};
