@@ -241,7 +241,8 @@ class LessonTest : public QObject {
       questions.front()->findChild<QLineEdit*>("lesson_number")->setText("2.4");
       questions.last()->findChildren<QRadioButton*>().first()->click();
       for (auto* question : questions) question->check();
-      QTest::qWait(100);
+      auto* said = questions.last()->findChild<QLabel*>("lesson_feedback");
+      QTRY_VERIFY(said->visibleRegion().boundingRect().height() == said->height());
       if (!folder.isEmpty()) window.grab().save(folder + "/lesson_" + look + ".png");
       window.commands().trigger("lesson.next");
       QVERIFY(show_and_wait(window));

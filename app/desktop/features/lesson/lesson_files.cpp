@@ -2,7 +2,6 @@
 
 #include <QDir>
 #include <QFile>
-#include <QFileInfo>
 #include <QStandardPaths>
 
 #include "document/new_document.h"
@@ -25,6 +24,18 @@ Options options_of(const LessonData& data) {
   for (const auto& [name, value] : data.options) options.set_text(name, value);
   options.check_all();
   return options.as<Options>();
+}
+
+// What made the data, as the mark that they are complete has it: with other options they are made again.
+QByteArray recipe_of(const LessonData& data) {
+  std::string text = data.command;
+  for (const auto& [name, value] : data.options) text += " " + name + "=" + value;
+  return QByteArray::fromStdString(text);
+}
+
+bool is_made(const QString& mark, const LessonData& data) {
+  QFile file(mark);
+  return file.open(QIODevice::ReadOnly) && file.readAll() == recipe_of(data);
 }
 
 // The files of `bole simulate-field` that lessons read.
@@ -63,13 +74,15 @@ void make_lesson_data(const Lesson& lesson, const QString& folder, const Run& ru
     return;
   }
   const QString done = folder + "/complete";  // written last: half-made data are made again
-  if (QFileInfo::exists(done)) return;
+  if (is_made(done, lesson.data)) return;
+  QFile::remove(done);
   if (lesson.data.command == "simulate")
     sim::simulate(options_of<sim::SimulationOptions>(lesson.data), folder.toStdString(), run);
   else
     simulate_field_into(folder.toStdString(), lesson.data, run);
   QFile mark(done);
-  if (!mark.open(QIODevice::WriteOnly)) throw failure("cannot write " + done.toStdString(), "a folder to write into");
+  if (!mark.open(QIODevice::WriteOnly) || mark.write(recipe_of(lesson.data)) < 0)
+    throw failure("cannot write " + done.toStdString(), "a folder to write into");
 }
 
 pipeline::PipelineDocument lesson_document(const Lesson& lesson, const std::string& document, const QString& folder) {

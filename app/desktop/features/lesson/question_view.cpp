@@ -6,6 +6,8 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScrollArea>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "features/lesson/lesson_words.h"
@@ -86,6 +88,11 @@ void QuestionView::check() {
   const auto said = number_ ? guide_.answer_number(question_, number_->text())
                             : guide_.answer_choice(question_, choices_->checkedId());
   feedback_->setText((said.right ? QStringLiteral("✓ ") : QString()) + said.text);
+  // Below the last question it would be out of sight; its place is known after the layout.
+  QTimer::singleShot(0, this, [this] {
+    for (auto* above = parentWidget(); above; above = above->parentWidget())
+      if (auto* scroll = qobject_cast<QScrollArea*>(above)) return scroll->ensureWidgetVisible(feedback_);
+  });
 }
 
 }  // namespace bole::desktop
