@@ -243,6 +243,9 @@ class LessonTest : public QObject {
       for (auto* question : questions) question->check();
       auto* said = questions.last()->findChild<QLabel*>("lesson_feedback");
       QTRY_VERIFY(said->visibleRegion().boundingRect().height() == said->height());
+      for (const auto* label : window.findChild<QWidget*>("lesson_panel")->findChildren<QLabel*>())
+        if (label->isVisible() && label->wordWrap())
+          QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(label->text()));
       if (!folder.isEmpty()) window.grab().save(folder + "/lesson_" + look + ".png");
       window.commands().trigger("lesson.next");
       QVERIFY(show_and_wait(window));

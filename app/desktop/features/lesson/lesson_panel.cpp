@@ -13,21 +13,20 @@
 #include "features/lesson/lesson_guide.h"
 #include "features/lesson/lesson_words.h"
 #include "features/lesson/question_view.h"
+#include "features/lesson/wrapped_label.h"
 
 namespace bole::desktop {
 namespace {
 
 constexpr int work_steps = 1000;
 
-QLabel* add_text(QVBoxLayout& layout, const QString& text, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
-  label->setWordWrap(true);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+WrappedLabel* add_text(QVBoxLayout& layout, const QString& text, QWidget* parent) {
+  auto* label = new WrappedLabel(text, parent);
   layout.addWidget(label);
   return label;
 }
 
-QLabel* make_bold(QLabel* label) {
+WrappedLabel* make_bold(WrappedLabel* label) {
   QFont font = label->font();
   font.setBold(true);
   label->setFont(font);
@@ -160,7 +159,7 @@ void LessonPanel::show_step() {
     fill_list();
     return setCurrentWidget(list_);
   }
-  title_->setText(lesson_text(guide_.lesson()->title));
+  title_->set_words(lesson_text(guide_.lesson()->title));
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(2, 2, 2, 2);
@@ -186,8 +185,7 @@ void LessonPanel::add_sights(QVBoxLayout& layout) {
   grid->setColumnStretch(0, 1);
   int row = 0;
   for (const auto& sight : guide_.step().see) {
-    auto* words = new QLabel(lesson_text(sight.text));
-    words->setWordWrap(true);
+    auto* words = new WrappedLabel(lesson_text(sight.text));
     auto* value = new QLabel;
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -205,7 +203,7 @@ void LessonPanel::show_needs() {
     const QString link = QString("<a href='%1'>%2</a>").arg(lines.size()).arg(words);
     lines << (need.met ? QStringLiteral("✓ ") : QStringLiteral("○ ")) + (need.option ? link : words);
   }
-  needs_->setText(lines.join("<br>"));
+  needs_->set_words(lines.join("<br>"));
 }
 
 void LessonPanel::show_state() {

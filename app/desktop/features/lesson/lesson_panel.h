@@ -14,6 +14,7 @@ namespace bole::desktop {
 
 class Commands;
 class LessonGuide;
+class WrappedLabel;
 
 class LessonPanel : public QStackedWidget {
   Q_OBJECT
@@ -36,11 +37,12 @@ class LessonPanel : public QStackedWidget {
   Commands& commands_;
   QWidget *list_ = nullptr, *page_ = nullptr;
   QVBoxLayout* list_layout_ = nullptr;
-  QLabel *title_ = nullptr, *place_ = nullptr;
+  WrappedLabel* title_ = nullptr;
+  QLabel* place_ = nullptr;
   QProgressBar* work_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QScrollArea* scroll_ = nullptr;
-  QLabel* needs_ = nullptr;
+  WrappedLabel* needs_ = nullptr;
   std::vector<QLabel*> sights_;
 };
 

@@ -11,27 +11,22 @@
 #include <QVBoxLayout>
 
 #include "features/lesson/lesson_words.h"
+#include "features/lesson/wrapped_label.h"
 
 namespace bole::desktop {
 namespace {
 
 constexpr int number_width_px = 110;
 
-QLabel* wrapped(const QString& text, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
-  label->setWordWrap(true);
-  return label;
-}
-
 }  // namespace
 
 QuestionView::QuestionView(LessonGuide& guide, int question, QWidget* parent)
-    : QWidget(parent), guide_(guide), question_(question), feedback_(wrapped({}, this)) {
+    : QWidget(parent), guide_(guide), question_(question), feedback_(new WrappedLabel({}, this)) {
   setObjectName("lesson_question");
   const auto& asked = guide.step().questions.at(static_cast<std::size_t>(question));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 6, 0, 0);
-  auto* ask = wrapped(lesson_text(asked.ask), this);
+  auto* ask = new WrappedLabel(lesson_text(asked.ask), this);
   QFont bold = ask->font();
   bold.setBold(true);
   ask->setFont(bold);
@@ -49,9 +44,8 @@ QuestionView::QuestionView(LessonGuide& guide, int question, QWidget* parent)
   line->addStretch(1);
   layout->addLayout(line);
   feedback_->setObjectName("lesson_feedback");
-  feedback_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  feedback_->setText(guide.progress().right(guide.step_index(), question) ? tr("You answered this rightly.")
-                                                                          : QString());
+  feedback_->set_words(guide.progress().right(guide.step_index(), question) ? tr("You answered this rightly.")
+                                                                            : QString());
   layout->addWidget(feedback_);
 }
 
@@ -62,7 +56,7 @@ void QuestionView::add_choices(const LessonQuestion& question, QVBoxLayout& layo
   grid->setColumnStretch(1, 1);
   for (int i = 0; i < static_cast<int>(question.choices.size()); ++i) {
     auto* button = new QRadioButton(this);
-    auto* words = wrapped(lesson_text(question.choices[static_cast<std::size_t>(i)].text), this);
+    auto* words = new WrappedLabel(lesson_text(question.choices[static_cast<std::size_t>(i)].text), this);
     words->setBuddy(button);
     button->setAccessibleName(words->text());
     choices_->addButton(button, i);
@@ -87,7 +81,7 @@ void QuestionView::add_number(const LessonQuestion& question, QVBoxLayout& layou
 void QuestionView::check() {
   const auto said = number_ ? guide_.answer_number(question_, number_->text())
                             : guide_.answer_choice(question_, choices_->checkedId());
-  feedback_->setText((said.right ? QStringLiteral("✓ ") : QString()) + said.text);
+  feedback_->set_words((said.right ? QStringLiteral("✓ ") : QString()) + said.text);
   // Below the last question it would be out of sight; its place is known after the layout.
   QTimer::singleShot(0, this, [this] {
     for (auto* above = parentWidget(); above; above = above->parentWidget())

@@ -2,16 +2,16 @@
 #pragma once
 
 #include <QWidget>
-#include <functional>
 
 #include "features/lesson/lesson_guide.h"
 
 class QButtonGroup;
-class QLabel;
 class QLineEdit;
 class QVBoxLayout;
 
 namespace bole::desktop {
+
+class WrappedLabel;
 
 class QuestionView : public QWidget {
   Q_OBJECT
@@ -29,7 +29,7 @@ class QuestionView : public QWidget {
   int question_;
   QButtonGroup* choices_ = nullptr;
   QLineEdit* number_ = nullptr;
-  QLabel* feedback_;
+  WrappedLabel* feedback_;
 };
 
 }  // namespace bole::desktop
