@@ -244,8 +244,12 @@ class LessonTest : public QObject {
       auto* said = questions.last()->findChild<QLabel*>("lesson_feedback");
       QTRY_VERIFY(said->visibleRegion().boundingRect().height() == said->height());
       for (const auto* label : window.findChild<QWidget*>("lesson_panel")->findChildren<QLabel*>())
-        if (label->isVisible() && label->wordWrap())
+        if (label->isVisible() && label->wordWrap()) {
           QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(label->text()));
+          for (const auto* other : label->parentWidget()->findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly))
+            QVERIFY2(other == label || !other->isVisible() || !other->geometry().intersects(label->geometry()),
+                     qPrintable(label->text()));
+        }
       if (!folder.isEmpty()) window.grab().save(folder + "/lesson_" + look + ".png");
       window.commands().trigger("lesson.next");
       QVERIFY(show_and_wait(window));

@@ -38,6 +38,7 @@ QScrollArea* scrolling(QWidget* content) {
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // one that comes and goes changes where lines break
   scroll->setWidget(content);
   return scroll;
 }

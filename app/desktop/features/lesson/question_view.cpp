@@ -1,7 +1,6 @@
 #include "features/lesson/question_view.h"
 
 #include <QButtonGroup>
-#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -49,21 +48,19 @@ QuestionView::QuestionView(LessonGuide& guide, int question, QWidget* parent)
   layout->addWidget(feedback_);
 }
 
-// The words of a choice wrap, which those of a QRadioButton cannot: they are a label beside it.
+// The words of a choice wrap, which those of a QRadioButton cannot: the button stands in the margin of a label.
 void QuestionView::add_choices(const LessonQuestion& question, QVBoxLayout& layout) {
+  constexpr int gap_px = 6;
   choices_ = new QButtonGroup(this);
-  auto* grid = new QGridLayout;
-  grid->setColumnStretch(1, 1);
   for (int i = 0; i < static_cast<int>(question.choices.size()); ++i) {
-    auto* button = new QRadioButton(this);
     auto* words = new WrappedLabel(lesson_text(question.choices[static_cast<std::size_t>(i)].text), this);
-    words->setBuddy(button);
+    auto* button = new QRadioButton(words);
     button->setAccessibleName(words->text());
+    button->setFixedSize(button->sizeHint().width(), words->fontMetrics().height());
+    words->setContentsMargins(button->width() + gap_px, 0, 0, 0);
     choices_->addButton(button, i);
-    grid->addWidget(button, i, 0, Qt::AlignTop);
-    grid->addWidget(words, i, 1);
+    layout.addWidget(words);
   }
-  layout.addLayout(grid);
 }
 
 void QuestionView::add_number(const LessonQuestion& question, QVBoxLayout& layout) {
@@ -83,7 +80,8 @@ void QuestionView::check() {
                             : guide_.answer_choice(question_, choices_->checkedId());
   feedback_->set_words((said.right ? QStringLiteral("✓ ") : QString()) + said.text);
   // Below the last question it would be out of sight; its place is known after the layout.
-  QTimer::singleShot(0, this, [this] {
+  constexpr int layout_ms = 60;
+  QTimer::singleShot(layout_ms, this, [this] {
     for (auto* above = parentWidget(); above; above = above->parentWidget())
       if (auto* scroll = qobject_cast<QScrollArea*>(above)) return scroll->ensureWidgetVisible(feedback_);
   });
