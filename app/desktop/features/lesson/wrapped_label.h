@@ -24,7 +24,7 @@ class WrappedLabel : public QLabel {
   }
 
  private:
-  void keep_height() { setMinimumHeight(heightForWidth(width())); }
+  void keep_height() { setMinimumHeight(qMax(0, heightForWidth(width()))); }
 };
 
 }  // namespace bole::desktop
