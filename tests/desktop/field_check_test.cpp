@@ -110,9 +110,9 @@ class FieldCheckTest : public QObject {
     run();
     const auto as_lines = errors();
     QCOMPARE(as_lines.trees, 12);
-    QVERIFY2(std::abs(as_lines.bias_cm - with_beam.bias_cm - 0.25) < 0.1,
+    QVERIFY2(std::abs(as_lines.bias_cm - with_beam.bias_cm - 0.3) < 0.05,
              qPrintable(QString::number(as_lines.bias_cm)));
-    // Step 4: robust weights leave some of the bias, and the beam means nothing to them.
+    // Step 4: robust weights do not help, and the beam means nothing to them.
     window.session().undo_stack().undo();
     window.session().undo_stack().undo();
     QCoreApplication::processEvents();
@@ -123,7 +123,7 @@ class FieldCheckTest : public QObject {
     run();
     const auto surface = errors();
     QCOMPARE(surface.trees, 12);
-    QVERIFY2(surface.bias_cm > with_beam.bias_cm, qPrintable(QString::number(surface.bias_cm)));
+    QVERIFY2(std::abs(surface.bias_cm - with_beam.bias_cm - 0.6) < 0.1, qPrintable(QString::number(surface.bias_cm)));
     // Without the edges diameters are too small and scatter more, and a tree may be lost.
     window.properties().findChild<QComboBox*>("model")->setCurrentText("auto");
     QCoreApplication::processEvents();

@@ -13,6 +13,8 @@
 
 #include "document/cell_words.h"
 #include "document/stage_words.h"
+#include "features/lesson/lesson_reader.h"
+#include "features/lesson/lesson_words.h"
 #include "features/stem_review/stem_review.h"
 #include "look/language.h"
 #include "render/charts/cross_section.h"
@@ -147,6 +149,23 @@ class LanguageTest : public QObject {
       }
     QVERIFY(count > 100);
     QVERIFY2(options.complete(), qPrintable(options.report()));
+    QVERIFY2(words.isEmpty(), qPrintable(words.join('\n')));
+  }
+
+  void every_lesson_is_translated() {
+    install_language(*QCoreApplication::instance(), "en");
+    ChineseFile lessons("lessons");
+    QVERIFY(lessons.loaded());
+    std::vector<std::string> problems;
+    QStringList words;
+    int count = 0;
+    for (const auto& lesson : shipped_lessons(problems))
+      for (const auto& text : lesson_texts(lesson)) {
+        ++count;
+        words << lost(QString::fromStdString(text), lessons.needed(lesson_context, text.c_str()));
+      }
+    QVERIFY(count > 100);
+    QVERIFY2(lessons.complete(), qPrintable(lessons.report()));
     QVERIFY2(words.isEmpty(), qPrintable(words.join('\n')));
   }
 

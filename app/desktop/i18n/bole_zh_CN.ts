@@ -819,6 +819,10 @@
             <source>Measure</source>
             <translation>测量</translation>
         </message>
+        <message>
+            <source>Lessons</source>
+            <translation>课程</translation>
+        </message>
     </context>
     <context>
         <name>bole::desktop::MeasurePanel</name>
@@ -2091,6 +2095,78 @@
             <source>Cancelled. What is shown stays as it was.</source>
             <translation>已取消。显示内容保持不变。</translation>
         </message>
+        <message>
+            <source>Lessons</source>
+            <translation>课程</translation>
+        </message>
+        <message>
+            <source>Show the panel of lessons</source>
+            <translation>显示课程面板</translation>
+        </message>
+        <message>
+            <source>Open a lesson first.</source>
+            <translation>请先打开一个课程。</translation>
+        </message>
+        <message>
+            <source>Next step</source>
+            <translation>下一步</translation>
+        </message>
+        <message>
+            <source>First do what this step of the lesson needs; the last step has no next one.</source>
+            <translation>请先完成课程本步的要求;最后一步之后没有下一步。</translation>
+        </message>
+        <message>
+            <source>Step back</source>
+            <translation>上一步</translation>
+        </message>
+        <message>
+            <source>Show me</source>
+            <translation>演示</translation>
+        </message>
+        <message>
+            <source>Does for you what the step needs</source>
+            <translation>替您完成本步的要求</translation>
+        </message>
+        <message>
+            <source>Begin again</source>
+            <translation>重新开始</translation>
+        </message>
+        <message>
+            <source>From the first step; your answers are forgotten</source>
+            <translation>从第一步开始;答案将被清除</translation>
+        </message>
+        <message>
+            <source>All lessons</source>
+            <translation>全部课程</translation>
+        </message>
+        <message>
+            <source>Leaves this lesson; it goes on here later</source>
+            <translation>离开本课程;以后从这里继续</translation>
+        </message>
+        <message>
+            <source>Lesson</source>
+            <translation>课程</translation>
+        </message>
+        <message>
+            <source>%1: set '%2' to %3</source>
+            <translation>%1:将“%2”设为 %3</translation>
+        </message>
+        <message>
+            <source>Open the data of this step (Show me)</source>
+            <translation>打开本步的数据(演示)</translation>
+        </message>
+        <message>
+            <source>Run (Shift+F5), and wait until the run has ended</source>
+            <translation>运行 (Shift+F5),等待运行结束</translation>
+        </message>
+        <message>
+            <source>Select a tree in the table</source>
+            <translation>在表中选择一棵树</translation>
+        </message>
+        <message>
+            <source>Correct a result by hand</source>
+            <translation>手工修正一个结果</translation>
+        </message>
     </context>
     <context>
         <name>bole::desktop::PicturePanel</name>
@@ -3294,6 +3370,79 @@
         <message>
             <source>Brush, draw around or click points in the 3-D view.</source>
             <translation>在三维视图中涂画、围绕绘制或单击点。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::LessonGuide</name>
+        <message>
+            <source>Cancelled.</source>
+            <translation>已取消。</translation>
+        </message>
+        <message>
+            <source>This could not be done: %1</source>
+            <translation>未能完成:%1</translation>
+        </message>
+        <message>
+            <source>Do this yourself: %1</source>
+            <translation>请自己完成:%1</translation>
+        </message>
+        <message>
+            <source>First do what the step needs: the answer comes from your own run.</source>
+            <translation>请先完成本步的要求:答案来自您自己的运行。</translation>
+        </message>
+        <message>
+            <source>'%1' is not a number. Type one such as 12.3, without its unit.</source>
+            <translation>“%1”不是数字。请输入如 12.3 的数字,不带单位。</translation>
+        </message>
+        <message>
+            <source>Not %1.</source>
+            <translation>不是 %1。</translation>
+        </message>
+        <message>
+            <source>Right: %1.</source>
+            <translation>正确:%1。</translation>
+        </message>
+        <message>
+            <source>Your run does not give the answer: %1</source>
+            <translation>您的运行没有给出答案:%1</translation>
+        </message>
+        <message>
+            <source>Choose an answer first.</source>
+            <translation>请先选择一个答案。</translation>
+        </message>
+        <message>
+            <source>Right.</source>
+            <translation>正确。</translation>
+        </message>
+        <message>
+            <source>No.</source>
+            <translation>不对。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::LessonPanel</name>
+        <message>
+            <source>About %1 minutes. %2 of %3 questions answered rightly.</source>
+            <translation>约 %1 分钟。%3 题中答对 %2 题。</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>Step %1 of %2; %3 of %4 questions</source>
+            <translation>第 %1 步,共 %2 步;答对 %3 题,共 %4 题</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::QuestionView</name>
+        <message>
+            <source>Check answer</source>
+            <translation>检查答案</translation>
+        </message>
+        <message>
+            <source>You answered this rightly.</source>
+            <translation>此题已答对。</translation>
         </message>
     </context>
 </TS>

@@ -46,6 +46,7 @@ void install_language(QCoreApplication& application, const QString& code) {
   install("options_" + language, ":/i18n");
   install("figures_" + language, ":/i18n");
   install("stems_" + language, ":/i18n");
+  install("lessons_" + language, ":/i18n");
   if (language != "en") install("qtbase_" + language, QLibraryInfo::location(QLibraryInfo::TranslationsPath));
 }
 

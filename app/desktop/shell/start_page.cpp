@@ -72,6 +72,7 @@ StartPage::StartPage(MainWindow& window) : QWidget(&window), window_(window) {
   add_heading(column, MainWindow::tr("From scans to a stem map"), "h1");
   add_unsaved(column);
   add_actions(column);
+  add_lessons(column);
   add_recent(column);
   auto* drop = new QLabel(MainWindow::tr("or drop a file on this window"));
   drop->setForegroundRole(QPalette::PlaceholderText);
@@ -107,6 +108,29 @@ void StartPage::add_actions(QBoxLayout* layout) {
   offer("welcome_folder", MainWindow::tr("Open a folder…"), "document.open_folder");
   offer("welcome_sample", MainWindow::tr("Try the sample plot"), "document.open_sample");
   layout->addLayout(row);
+}
+
+// Every command that opens a lesson.
+void StartPage::add_lessons(QBoxLayout* layout) {
+  constexpr int columns = 2;
+  auto* grid = new QGridLayout;
+  int count = 0;
+  for (const auto& entry : window_.commands().entries()) {
+    if (!entry->action || !entry->command.id.startsWith("lesson.open.")) continue;
+    auto* button = new QPushButton(entry->action->text());
+    button->setObjectName("welcome_lesson");
+    button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    connect(button, &QPushButton::clicked, entry->action, &QAction::trigger);
+    connect(entry->action, &QAction::triggered, this, &QWidget::hide);  // its panel shows how far the data are made
+    grid->addWidget(button, count / columns, count % columns);
+    ++count;
+  }
+  if (count == 0) {
+    delete grid;
+    return;
+  }
+  add_heading(layout, MainWindow::tr("Lessons"), "h3");
+  layout->addLayout(grid);
 }
 
 void StartPage::add_unsaved(QBoxLayout* layout) {

@@ -1,5 +1,5 @@
-// What a window without a document shows: the sample plot, files to open, those opened last with what was seen of them,
-// and changes that a crash left unsaved.
+// What a window without a document shows: the sample plot, files to open, lessons, those files opened last with what was
+// seen of them, and changes that a crash left unsaved.
 #pragma once
 
 #include <QWidget>
@@ -22,6 +22,7 @@ class StartPage : public QWidget {
  private:
   void cover();
   void add_actions(QBoxLayout* layout);
+  void add_lessons(QBoxLayout* layout);
   void add_unsaved(QBoxLayout* layout);
   void add_recent(QBoxLayout* layout);
 

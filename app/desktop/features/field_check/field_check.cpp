@@ -129,11 +129,12 @@ void FieldCheck::load(const QString& file, const FieldMapping& mapping, const st
 
 void FieldCheck::show_survey(const Survey& survey) {
   survey_ = survey;
-  rows_ = survey.matches ? match_rows(*survey.matches) : std::vector<MatchRow>();
+  if (survey_.matches && !survey_.matches->has("dbh_cm")) survey_.matches.reset();  // matches of rows of plants
+  rows_ = survey_.matches ? match_rows(*survey_.matches) : std::vector<MatchRow>();
   current_ = -1;
   following_ = true;
-  filter_->set_table(survey.matches.get());
-  model_->show(survey.matches);
+  filter_->set_table(survey_.matches.get());
+  model_->show(survey_.matches);
   table_->resizeColumnsToContents();
   following_ = false;
   map_->show_matches(rows_);

@@ -20,11 +20,10 @@ SamplePlot::SamplePlot(Workbench& bench) : QObject(&bench) {
   connect(this, &SamplePlot::progressed, b,
           [b](double, const QString& what) { b->hint(tr("Making the sample plot: %1").arg(what)); });
   connect(this, &SamplePlot::failed, b, &Workbench::complain);
-}
-
-SamplePlot::~SamplePlot() {
-  thread_.request_stop();
-  if (thread_.joinable()) thread_.join();
+  connect(&work_, &BackgroundWork::progressed, this, &SamplePlot::progressed);
+  connect(&work_, &BackgroundWork::failed, this, &SamplePlot::failed);
+  connect(&work_, &BackgroundWork::done, this,
+          [this] { Q_EMIT ready(document_, QDir(folder_).filePath("sample_plot.json")); });
 }
 
 QString SamplePlot::default_folder() {
@@ -32,30 +31,10 @@ QString SamplePlot::default_folder() {
 }
 
 void SamplePlot::prepare(const QString& folder) {
-  if (busy_) return;
-  if (thread_.joinable()) thread_.join();
-  busy_ = true;
-  thread_ = std::jthread([this, folder](const std::stop_token& cancel) {
-    const auto tell = [this](auto signal) { QMetaObject::invokeMethod(this, signal, Qt::QueuedConnection); };
-    Run run;
-    run.cancel = cancel;
-    run.progress = [&](double fraction, std::string_view what) {
-      tell([this, fraction, text = QString::fromUtf8(what.data(), static_cast<int>(what.size()))] {
-        Q_EMIT progressed(fraction, text);
-      });
-    };
-    try {
-      auto document = std::make_shared<const pipeline::PipelineDocument>(sample_document(folder, run));
-      tell([this, document, folder] {
-        busy_ = false;
-        Q_EMIT ready(document, QDir(folder).filePath("sample_plot.json"));
-      });
-    } catch (const std::exception& e) {
-      tell([this, text = QString::fromUtf8(e.what())] {
-        busy_ = false;
-        Q_EMIT failed(text);
-      });
-    }
+  if (busy()) return;
+  folder_ = folder;
+  work_.start([this, folder](const Run& run) {
+    document_ = std::make_shared<const pipeline::PipelineDocument>(sample_document(folder, run));
   });
 }
 

@@ -2,11 +2,9 @@
 #pragma once
 
 #include <QObject>
-#include <optional>
-#include <stop_token>
-#include <thread>
 
 #include "pipeline/document.h"
+#include "running/background_work.h"
 
 namespace bole::desktop {
 
@@ -17,11 +15,10 @@ class SamplePlot : public QObject {
 
  public:
   explicit SamplePlot(Workbench& bench);
-  ~SamplePlot() override;  // cancels and waits
 
   // Makes the sample in a thread unless it exists; ends with ready() or failed().
   void prepare(const QString& folder);
-  bool busy() const { return busy_; }
+  bool busy() const { return work_.busy(); }
   static QString default_folder();  // in the cache of the person
 
  Q_SIGNALS:
@@ -30,8 +27,9 @@ class SamplePlot : public QObject {
   void failed(const QString& sentence);
 
  private:
-  std::jthread thread_;
-  bool busy_ = false;
+  QString folder_;
+  std::shared_ptr<const pipeline::PipelineDocument> document_;
+  BackgroundWork work_;  // the last member: it ends before the others
 };
 
 }  // namespace bole::desktop
