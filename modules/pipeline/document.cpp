@@ -40,7 +40,7 @@ OptionValue option_value(const OptionSpec& spec, const ordered_json& value) {
 }
 
 std::string resolved(const std::string& written, const std::filesystem::path& base_dir) {
-  const std::string path = expand_home(written);
+  std::string path = expand_home(written);
   if (path.empty() || std::filesystem::path(path).is_absolute() || base_dir.empty()) return path;
   return (base_dir / path).lexically_normal().string();
 }

@@ -129,7 +129,7 @@ void roll_forward(const fs::path& folder) {
   names.erase(journal_file);
   // The summary comes last: it lists the files that are there.
   std::vector<std::string> order(names.begin(), names.end());
-  std::ranges::stable_partition(order, [](const std::string& name) { return name != summary_file; });
+  std::stable_partition(order.begin(), order.end(), [](const std::string& name) { return name != summary_file; });
   for (const auto& name : order) {
     fs::create_directories((folder / name).parent_path(), ignored);
     rename_or_throw(swap / name, folder / name);

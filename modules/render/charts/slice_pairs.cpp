@@ -105,10 +105,12 @@ Figure slices_side_by_side(const std::vector<SliceRun>& runs, const std::vector<
   figure.width_mm = width_mm;
   figure.height_mm = static_cast<double>(rows) * (layout.row_mm() + pair_gap_mm) + pair_legend_mm;
   figure.draw = [runs, trees, layout](Canvas& canvas) {
-    for (std::size_t i = 0; i < trees.size(); ++i)
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+      const std::size_t column = i % layout.per_row, row = i / layout.per_row;
       draw_tree(canvas, trees[i], runs, layout,
-                {static_cast<double>(i % layout.per_row) * (layout.group_mm() + group_gap_mm),
-                 static_cast<double>(i / layout.per_row) * (layout.row_mm() + pair_gap_mm)});
+                {static_cast<double>(column) * (layout.group_mm() + group_gap_mm),
+                 static_cast<double>(row) * (layout.row_mm() + pair_gap_mm)});
+    }
     std::vector<LegendEntry> entries;
     for (const auto& run : runs) entries.push_back({Symbol::ring, run.color, run.name});
     entries.push_back({Symbol::dashed_line, ink::text, "reference"});

@@ -101,13 +101,15 @@ void Canvas::polyline(std::span<const Eigen::Vector2d> points, const Stroke& str
   paint_path({}, stroke);
 }
 
-void Canvas::polygon(std::span<const Eigen::Vector2d> points, std::optional<Color> fill, std::optional<Stroke> stroke) {
+void Canvas::polygon(std::span<const Eigen::Vector2d> points, std::optional<Color> fill,
+                     const std::optional<Stroke>& stroke) {
   for (const auto& p : points) cairo_line_to(cairo_, p.x(), p.y());
   cairo_close_path(cairo_);
   paint_path(fill, stroke);
 }
 
-void Canvas::rectangle(const Box& box, std::optional<Color> fill, std::optional<Stroke> stroke, double radius_mm) {
+void Canvas::rectangle(const Box& box, std::optional<Color> fill, const std::optional<Stroke>& stroke,
+                       double radius_mm) {
   if (radius_mm <= 0) {
     cairo_rectangle(cairo_, box.x0, box.y0, box.width(), box.height());
   } else {
@@ -122,7 +124,7 @@ void Canvas::rectangle(const Box& box, std::optional<Color> fill, std::optional<
 }
 
 void Canvas::circle(const Eigen::Vector2d& centre, double radius_mm, std::optional<Color> fill,
-                    std::optional<Stroke> stroke) {
+                    const std::optional<Stroke>& stroke) {
   cairo_new_sub_path(cairo_);
   cairo_arc(cairo_, centre.x(), centre.y(), radius_mm, 0, full_turn);
   cairo_close_path(cairo_);
@@ -142,7 +144,7 @@ void Canvas::ring(const Eigen::Vector2d& centre, double inner_mm, double outer_m
 }
 
 void Canvas::ellipse(const Eigen::Vector2d& centre, double a_mm, double b_mm, double angle_rad,
-                     std::optional<Color> fill, std::optional<Stroke> stroke) {
+                     std::optional<Color> fill, const std::optional<Stroke>& stroke) {
   std::vector<Eigen::Vector2d> outline;
   constexpr int steps = 90;
   for (int i = 0; i < steps; ++i) {

@@ -70,15 +70,17 @@ class Canvas {
 
   void line(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Stroke& stroke);
   void polyline(std::span<const Eigen::Vector2d> points, const Stroke& stroke);
-  void polygon(std::span<const Eigen::Vector2d> points, std::optional<Color> fill, std::optional<Stroke> stroke = {});
-  void rectangle(const Box& box, std::optional<Color> fill, std::optional<Stroke> stroke = {}, double radius_mm = 0);
+  void polygon(std::span<const Eigen::Vector2d> points, std::optional<Color> fill,
+               const std::optional<Stroke>& stroke = {});
+  void rectangle(const Box& box, std::optional<Color> fill, const std::optional<Stroke>& stroke = {},
+                 double radius_mm = 0);
   void circle(const Eigen::Vector2d& centre, double radius_mm, std::optional<Color> fill,
-              std::optional<Stroke> stroke = {});
+              const std::optional<Stroke>& stroke = {});
   // The area between two circles.
   void ring(const Eigen::Vector2d& centre, double inner_mm, double outer_mm, const Color& fill);
   // An ellipse with half axes a, b; a points `angle_rad` counter-clockwise from right.
   void ellipse(const Eigen::Vector2d& centre, double a_mm, double b_mm, double angle_rad, std::optional<Color> fill,
-               std::optional<Stroke> stroke = {});
+               const std::optional<Stroke>& stroke = {});
   // Many round dots of one colour.
   void dots(std::span<const Eigen::Vector2d> centres, double diameter_mm, const Color& color);
   void cross(const Eigen::Vector2d& centre, double half_mm, const Stroke& stroke);

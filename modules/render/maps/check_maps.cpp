@@ -122,8 +122,9 @@ constexpr std::size_t per_row = 2;
 Frame frame_of(const Sheet& s, std::size_t i, double width_mm) {
   const double column = width_mm / per_row, w = column - axis_space_left_mm - bar_mm - gap_mm;
   const double h = w * std::clamp(s.y.length() / s.x.length(), 0.3, 1.6);
+  const std::size_t row = i / per_row;
   const double x = static_cast<double>(i % per_row) * column + axis_space_left_mm,
-               y = static_cast<double>(i / per_row) * (title_mm + h + axis_space_below_mm + gap_mm) + title_mm;
+               y = static_cast<double>(row) * (title_mm + h + axis_space_below_mm + gap_mm) + title_mm;
   return {{x, y, x + w, y + h}, s.x, s.y};
 }
 

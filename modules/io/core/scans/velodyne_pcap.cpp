@@ -142,7 +142,7 @@ VelodynePcapSource::VelodynePcapSource(const std::filesystem::path& path, const 
                                        const Run& run)
     : VelodynePcapSource(std::make_unique<PcapReader>(path), path, options, run) {}
 
-VelodynePcapSource::VelodynePcapSource(Bytes capture, std::string name, const FrameSourceOptions& options,
+VelodynePcapSource::VelodynePcapSource(Bytes capture, const std::string& name, const FrameSourceOptions& options,
                                        const Run& run)
     : VelodynePcapSource(std::make_unique<PcapReader>(capture, name), name, options, run) {}
 

@@ -21,7 +21,7 @@ class VelodynePcapSource : public FrameSource {
  public:
   // Throws Error{bad_input} where there is no Velodyne data packet or the sensor is not known.
   VelodynePcapSource(const std::filesystem::path& path, const FrameSourceOptions& options, const Run& run);
-  VelodynePcapSource(Bytes capture, std::string name, const FrameSourceOptions& options, const Run& run);
+  VelodynePcapSource(Bytes capture, const std::string& name, const FrameSourceOptions& options, const Run& run);
   // `decoder`: of a sensor that is known; null: the packets say which Velodyne sensor it is.
   VelodynePcapSource(std::unique_ptr<DatagramReader> packets, const std::filesystem::path& path,
                      const FrameSourceOptions& options, const Run& run,

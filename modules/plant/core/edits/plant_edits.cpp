@@ -27,7 +27,7 @@ const std::array<EditAction, 7>& actions() {
 }
 
 std::string trait_in(const EditJson& value, const std::string& key) {
-  const auto name = edit_text(value, key);
+  auto name = edit_text(value, key);
   for (const auto* known : {"height", "breadth_length", "breadth_width", "stem_diameter"})
     if (name == known) return name;
   throw bad_input("trait is '" + name + "'", "height, breadth_length, breadth_width or stem_diameter");

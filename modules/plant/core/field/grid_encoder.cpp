@@ -103,10 +103,11 @@ void GridEncoder::accumulate_parity(std::span<RayChunk> chunks, int parity) {
                            (cz != 0 ? sample.within.z() : 1 - sample.within.z());
       const int nx = x + cx, ny = y + cy, nz = z + cz;
       std::uint32_t block = static_cast<std::uint32_t>(sample.block);
-      if ((nx | ny | nz) > 7)
+      if ((nx | ny | nz) > 7) {
+        const int neighbour = (nx >> 3) * 4 + (ny >> 3) * 2 + (nz >> 3);
         block = static_cast<std::uint32_t>(
-            space_->boxes[sample.box]
-                .neighbours[block][static_cast<std::size_t>((nx >> 3) * 4 + (ny >> 3) * 2 + (nz >> 3))]);
+            space_->boxes[sample.box].neighbours[block][static_cast<std::size_t>(neighbour)]);
+      }
       const auto at =
           block * FieldBox::block_voxels + static_cast<std::uint32_t>(((nx & 7) * 8 + (ny & 7)) * 8 + (nz & 7));
       auto& v = boxes_[sample.box];

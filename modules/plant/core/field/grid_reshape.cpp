@@ -12,9 +12,9 @@ constexpr int edge = FieldBox::block_size;
 
 // Index of lattice point (x, y, z), each 0 to 8, counted from a block's first.
 std::size_t lattice_index(const FieldBox& box, std::size_t block, int x, int y, int z) {
-  const auto neighbour = static_cast<std::size_t>((x >> 3) * 4 + (y >> 3) * 2 + (z >> 3));
-  const auto at = static_cast<std::size_t>(box.neighbours[block][neighbour]);
-  return at * FieldBox::block_voxels + static_cast<std::size_t>(((x & 7) * edge + (y & 7)) * edge + (z & 7));
+  const int neighbour = (x >> 3) * 4 + (y >> 3) * 2 + (z >> 3), within = ((x & 7) * edge + (y & 7)) * edge + (z & 7);
+  const auto at = static_cast<std::size_t>(box.neighbours[block][static_cast<std::size_t>(neighbour)]);
+  return at * FieldBox::block_voxels + static_cast<std::size_t>(within);
 }
 
 bool cell_is_set(const FieldBox& box, const std::vector<std::uint64_t>& cells, const Eigen::Vector3f& p) {
@@ -82,7 +82,7 @@ FieldSpace with_voxel(const FieldSpace& space, const std::vector<std::uint64_t>&
 }
 
 std::unique_ptr<GridEncoder> resampled(const GridEncoder& grid, const FieldSpace& from,
-                                       std::shared_ptr<const FieldSpace> to) {
+                                       const std::shared_ptr<const FieldSpace>& to) {
   auto out = std::make_unique<GridEncoder>(to, grid.rates());
   for (std::size_t b = 0; b < to->boxes.size(); ++b) {
     const auto& box = to->boxes[b];

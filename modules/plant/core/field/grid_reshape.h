@@ -19,6 +19,6 @@ FieldSpace with_voxel(const FieldSpace& space, const std::vector<std::uint64_t>&
 
 // The values of a grid on another space, interpolated. Optical density per metre is kept.
 std::unique_ptr<GridEncoder> resampled(const GridEncoder& grid, const FieldSpace& from,
-                                       std::shared_ptr<const FieldSpace> to);
+                                       const std::shared_ptr<const FieldSpace>& to);
 
 }  // namespace bole::plant

@@ -306,8 +306,9 @@ class Spreading {
     const int reach = static_cast<int>(2.5 * s_.step / s_.cell);
     double before = 0, after = 0;
     for (int k = 0; k <= reach; ++k) {
-      if (x - k >= 0) before = std::max(before, breadth[static_cast<std::size_t>(x - k)]);
-      if (x + k < nx_) after = std::max(after, breadth[static_cast<std::size_t>(x + k)]);
+      const int left = x - k, right = x + k;
+      if (left >= 0) before = std::max(before, breadth[static_cast<std::size_t>(left)]);
+      if (right < nx_) after = std::max(after, breadth[static_cast<std::size_t>(right)]);
     }
     const double expected = std::min(before, after), found = breadth[static_cast<std::size_t>(x)];
     return found < 0.7 * expected ? expected - found : 0;

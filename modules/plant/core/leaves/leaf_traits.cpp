@@ -117,7 +117,7 @@ void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& 
   const double last = height.empty() ? -none : *std::ranges::max_element(height);
   std::size_t below = 0;
   const double step = section * in.unit / 0.02;
-  const auto steps = static_cast<std::size_t>(curve.length() / step + 0.5);
+  const auto steps = static_cast<std::size_t>(std::lround(curve.length() / step));
   for (std::size_t i = 0; i <= steps; ++i) {
     const double along = std::min(curve.length(), static_cast<double>(i) * step);
     const Eigen::Vector3d p = curve.at(along);

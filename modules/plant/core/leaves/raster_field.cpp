@@ -37,9 +37,11 @@ RasterField blurred(const RasterField& field, double sigma) {
     for (int y = 0; y < in.ny; ++y)
       for (int x = 0; x < in.nx; ++x) {
         double sum = 0;
-        for (int k = -reach; k <= reach; ++k)
+        for (int k = -reach; k <= reach; ++k) {
+          const int tap = k + reach;
           if (in.holds(x + k * dx, y + k * dy))
-            sum += kernel[static_cast<std::size_t>(k + reach)] * in.at(x + k * dx, y + k * dy);
+            sum += kernel[static_cast<std::size_t>(tap)] * in.at(x + k * dx, y + k * dy);
+        }
         to.at(x, y) = sum / total;
       }
   };

@@ -1,5 +1,6 @@
 #include "plant/core/separate/find_pot.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -71,7 +71,7 @@ int agreeing_views(const std::vector<DepthMap>& maps, const std::vector<std::siz
       v = static_cast<float>(pixel->y());
     }
     if (!(u > -0.5F && v > -0.5F && u < 1e5F && v < 1e5F)) continue;
-    const int x = static_cast<int>(u + 0.5F), y = static_cast<int>(v + 0.5F);
+    const int x = static_cast<int>(std::lround(u)), y = static_cast<int>(std::lround(v));
     if (!maps[i].depth.contains(x, y)) continue;
     const float z = maps[i].depth.at(x, y);
     if (z <= 0) continue;

@@ -270,7 +270,7 @@ std::string text_of(const Region& region) {
 Region find_region(const ViewSource& views, const std::vector<PosedView>& posed, double min_share, const Run& run,
                    Report& report) {
   if (!views.has_depth()) {
-    const auto box = region_without_depth(views, posed);
+    auto box = region_without_depth(views, posed);
     report.facts["region_from"] = "lines of sight";
     return box;
   }

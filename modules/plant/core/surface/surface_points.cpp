@@ -152,10 +152,10 @@ SurfaceMesh surface_mesh(const Tsdf& grid, double min_weight) {
         }
         // Outside is where the distance is positive.
         if (first.distance > 0) std::swap(corner[1], corner[3]);
-        for (const int k : {1, 2}) {
+        for (const std::size_t k : {1, 2}) {
           a.push_back(corner[0]);
-          b.push_back(corner[static_cast<std::size_t>(k)]);
-          c.push_back(corner[static_cast<std::size_t>(k + 1)]);
+          b.push_back(corner[k]);
+          c.push_back(corner[k + 1]);
         }
       }
     });

@@ -52,7 +52,7 @@ class Room {
   }
   double cell() const { return cell_; }
   std::size_t layers() const { return static_cast<std::size_t>(count_.z()); }
-  std::size_t layer_size() const { return static_cast<std::size_t>(count_.x() * count_.y()); }
+  std::size_t layer_size() const { return static_cast<std::size_t>(count_.x()) * static_cast<std::size_t>(count_.y()); }
   Eigen::Vector3d centre(std::size_t i) const {
     const auto x = static_cast<int>(i % static_cast<std::size_t>(count_.x()));
     const auto y = static_cast<int>(i / static_cast<std::size_t>(count_.x()) % static_cast<std::size_t>(count_.y()));
@@ -88,7 +88,9 @@ class Room {
 
  private:
   std::size_t index(const Eigen::Vector3i& c) const {
-    return static_cast<std::size_t>((c.z() * count_.y() + c.y()) * count_.x() + c.x());
+    const auto size = count_.cast<std::size_t>().eval();
+    const auto at = c.cast<std::size_t>().eval();
+    return (at.z() * size.y() + at.y()) * size.x() + at.x();
   }
   Eigen::Vector3d min_;
   double cell_ = 0;
@@ -130,7 +132,8 @@ Points3 finer_edge(const Points3& cells, double cell, const PlantMasks& masks) {
       continue;
     }
     for (int k = 0; k < parts * parts * parts; ++k) {
-      const Eigen::Array3d part(k % parts, k / parts % parts, k / parts / parts);
+      const Eigen::Array3i part_index(k % parts, k / parts % parts, k / parts / parts);
+      const Eigen::Array3d part = part_index.cast<double>();
       asked.push_back(cells[i] + (cell * ((part + 0.5) / parts - 0.5)).matrix());
     }
   }

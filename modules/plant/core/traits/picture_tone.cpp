@@ -113,7 +113,8 @@ ToneVotes tone_votes(const ColorImage& image, std::size_t max_edges) {
       }
       if (!level || clipped) continue;
       Profile p{};
-      for (int k = -reach; k <= reach; ++k) p[static_cast<std::size_t>(k + reach)] = code(x + k) / 255;
+      int tap = 0;
+      for (int k = -reach; k <= reach; ++k) p[static_cast<std::size_t>(tap++)] = code(x + k) / 255;
       profiles.push_back(p);
       x += reach;
     }

@@ -10,6 +10,10 @@
 namespace bole::plant {
 namespace {
 
+std::size_t mask_cell(int x, int y, int columns) {
+  return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x);
+}
+
 constexpr std::size_t max_learning_views = 12;
 constexpr std::size_t max_points_of_view = 20000;
 constexpr int other_step_px = 5;         // between pixels that are looked at away from the plant
@@ -34,7 +38,8 @@ class ColorTable {
     const int sum = rgb[0] + rgb[1] + rgb[2] + 3;
     const auto chroma = [&](int c) { return std::min(chromas - 1, (c + 1) * chromas / sum); };
     const int light = sum < 120 ? 0 : sum < 300 ? 1 : sum < 540 ? 2 : 3;
-    return static_cast<std::size_t>((light * chromas + chroma(rgb[0])) * chromas + chroma(rgb[1]));
+    const int at = (light * chromas + chroma(rgb[0])) * chromas + chroma(rgb[1]);
+    return static_cast<std::size_t>(at);
   }
   static constexpr int chromas = 48, lights = 4;
   static constexpr std::size_t bins = std::size_t{chromas} * chromas * lights;
@@ -96,18 +101,18 @@ void learn(const MaskInputs& in, std::uint32_t i, Colors& colors) {
     const int x = static_cast<int>(std::lround(at->x())), y = static_cast<int>(std::lround(at->y()));
     for (int v = std::max(0, y / away_px - 1); v <= std::min(rows - 1, y / away_px + 1); ++v)
       for (int u = std::max(0, x / away_px - 1); u <= std::min(columns - 1, x / away_px + 1); ++u)
-        near[static_cast<std::size_t>(v * columns + u)] = true;
+        near[mask_cell(u, v, columns)] = true;
     if (image.contains(x, y) && !others.hides(*at, p.z())) colors.plant.add(&image.at(x, y));
   }
   for (int y = 0; y < camera.height; y += other_step_px)
     for (int x = 0; x < camera.width; x += other_step_px)
-      if (!near[static_cast<std::size_t>(y / away_px * columns + x / away_px)]) colors.others.add(&image.at(x, y));
+      if (!near[mask_cell(x / away_px, y / away_px, columns)]) colors.others.add(&image.at(x, y));
 }
 
 // Half of a cell's pixels decide; a cell without a neighbour is noise; then one cell more on all sides.
 void mark(const ColorImage& image, const Colors& colors, PlantMask& mask) {
   const int columns = mask.columns, rows = mask.rows, cell = mask.cell_px;
-  const auto index = [&](int x, int y) { return static_cast<std::size_t>(y * columns + x); };
+  const auto index = [&](int x, int y) { return mask_cell(x, y, columns); };
   std::vector<std::uint8_t> raw(mask.cells.size(), 0), kept(mask.cells.size(), 0);
   for (int y = 0; y < rows; ++y)
     for (int x = 0; x < columns; ++x) {
@@ -134,7 +139,7 @@ void mark(const ColorImage& image, const Colors& colors, PlantMask& mask) {
 bool PlantMask::shows_plant(const Eigen::Vector2d& pixel) const {
   const int x = std::clamp(static_cast<int>(std::lround(pixel.x())) / cell_px, 0, columns - 1);
   const int y = std::clamp(static_cast<int>(std::lround(pixel.y())) / cell_px, 0, rows - 1);
-  return cells[static_cast<std::size_t>(y * columns + x)] != 0;
+  return cells[mask_cell(x, y, columns)] != 0;
 }
 
 PlantMasks plant_masks(const MaskInputs& in, const std::vector<std::uint32_t>& which, const Run& run) {

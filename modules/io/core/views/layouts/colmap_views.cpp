@@ -34,7 +34,7 @@ std::optional<ModelPlace> find_model(const fs::path& path) {
     return named ? model_in(path.parent_path()) : std::nullopt;
   }
   for (const char* place : {"", "sparse/0", "sparse", "dense/sparse", "dense/0/sparse", "model", "colmap/sparse/0"})
-    if (const auto model = model_in(path / place)) return model;
+    if (auto model = model_in(path / place)) return model;
   return std::nullopt;
 }
 
@@ -43,7 +43,7 @@ fs::path image_folder(const ModelPlace& model, const std::vector<ColmapImage>& i
   fs::path above = model.folder;
   for (int level = 0; level < 4; ++level) {
     for (const char* place : {"images", "", "rgb", "color"}) {
-      const auto folder = above / place;
+      auto folder = above / place;
       if (std::ranges::any_of(images, [&](const ColmapImage& image) { return is_there(folder / image.name); }))
         return folder;
     }

@@ -13,7 +13,7 @@ namespace {
 fs::path color_folder(const fs::path& folder) { return first_of(folder, {"color", "rgb", "image", "images"}); }
 
 fs::path pose_file(const fs::path& folder) {
-  if (const auto path =
+  if (auto path =
           first_of(folder, {"trajectory.log", "traj.log", "pose.txt", "poses.txt", "traj.txt", "scene/trajectory.log"});
       !path.empty())
     return path;

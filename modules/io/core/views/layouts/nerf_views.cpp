@@ -48,7 +48,7 @@ std::vector<Part> parts_of(const fs::path& path, Report& report) {
 
 // file_path may lack its ending.
 fs::path image_of(const fs::path& folder, const std::string& file) {
-  const auto path = (folder / file).lexically_normal();
+  auto path = (folder / file).lexically_normal();
   if (has_image_ending(path)) return path;
   for (const char* ending : {".png", ".jpg", ".jpeg", ".PNG", ".JPG"})
     if (is_there(path.string() + ending)) return path.string() + ending;
