@@ -132,6 +132,11 @@ class Documents(Toy):
         self.refused({**good, "pipeline": "forest_plot"}, "no single stage io.read_cloud")
         self.refused({**good, "set": {"scan.bounds": "0,0,1,1"}}, "scan.bounds", "The tiles decide")
         self.refused({**good, "set": {"plot.width": 20}}, "plot.width", "not run in tiles")
+        self.refused({**good, "set": {"points.file": "edits.json"}}, "points.file", "not run in tiles")
+        pipeline = json.loads((ENGINE.parents[1] / "pipelines" / "stem_map_from_cloud.json").read_text())
+        next(stage for stage in pipeline["stages"] if stage["id"] == "points")["options"] = {"edits": [{"action": "to_noise", "centre": [1, 2, 3], "size_m": [1, 1, 1]}]}
+        self.write("edited.json", json.dumps(pipeline))
+        self.refused({**good, "pipeline": "edited.json"}, "edits of points", "not applied in tiles")
         self.document(good)
         self.assertIn("no LAS, LAZ or COPC file", self.run_all(*LOCAL, expect=BAD_INPUT))
 

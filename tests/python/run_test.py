@@ -90,7 +90,7 @@ class Surveys(InFolder):
         self.assertAlmostEqual(middle, plot.height(dem.x[len(dem.x) // 2], dem.y[len(dem.y) // 2]), delta=0.05)
         self.assertIn("verdict", repr(result))
         self.assertIn("report.html", result._repr_html_())
-        with self.assertRaisesRegex(KeyError, "^this run has no table 'stem'; needed: one of stems.stems"):
+        with self.assertRaisesRegex(KeyError, "^this run has no table 'stem'; needed: one of points.point_edits, stems.stems"):
             result.tables["stem"]
 
     def test_nothing_is_written_without_out(self):

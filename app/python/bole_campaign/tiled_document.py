@@ -17,6 +17,8 @@ from .program import Pipeline, find_pipeline
 TILED_KEYS = ("pipeline", "cloud", "tile_m", "buffer_m", "shift_m", "cloud_files", "set", "memory_gib", "time_limit_s", "threads", "retries", "cache", "accept_partial", "title")
 # What leads from a cloud to its stems. Other stages look at a plot as a whole.
 IN_TILES = ("io.read_cloud", "io.read_trajectory", "survey.join_trajectory", "ground.model", "stems.measure")
+# Edits of points name trees by their places, which a tile may not hold; without edits the stage changes nothing.
+EDITS_OF_POINTS = "survey.edit_points"
 # Each run looks at its cloud as a whole; a tile must not decide for itself what the cloud is.
 SETTLED = {"io.read_cloud": {"unit": "metre", "up": "z"}, "ground.model": {"method": "tin"}}
 TERRAIN, PRIORS, NUMBERS, RESULTS = "tile_terrain", "tile_priors", "tile_numbers", "tile_results"
@@ -75,7 +77,12 @@ class TiledCampaign(Campaign):
             if sum(stage["type"] == kind for stage in stages.values()) != 1:
                 raise bad_input(f"{place}: the pipeline '{name}' has no single stage {kind}", "a pipeline from a cloud to its stems", "Use stem_map_from_cloud")
         self.id_of = {stage["type"]: one for one, stage in stages.items()}
-        self.ids = upstream(stages, self.id_of["stems.measure"], without=("stems.slice",))
+        edited = self.id_of.get(EDITS_OF_POINTS)
+        options = (stages[edited].get("options") or {}) if edited else {}
+        if options.get("file") or options.get("edits", "[]") not in ("[]", []):
+            raise bad_input(f"{place}: the pipeline '{name}' has edits of points ('{edited}'), which are not applied in tiles", "a pipeline without them",
+                            "Measure the plot that they are of by itself, or delete them")
+        self.ids = upstream(stages, self.id_of["stems.measure"], without=("stems.slice", EDITS_OF_POINTS))
         strange = next((stages[one]["type"] for one in self.ids if stages[one]["type"] not in IN_TILES), None)
         if strange:
             raise bad_input(f"{place}: the pipeline '{name}' measures stems after a stage {strange}, which is not run in tiles", "stages of " + ", ".join(IN_TILES))

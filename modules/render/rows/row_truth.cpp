@@ -69,7 +69,8 @@ double shape_of(const MapExtent& extent) {
 // How many lines a list of words takes in `width_mm`, about 30 mm each.
 double list_height_mm(std::size_t entries, double width_mm) {
   const auto across = std::max<std::size_t>(1, static_cast<std::size_t>(width_mm / 30));
-  return legend_line_mm * static_cast<double>((entries + across - 1) / across);
+  const std::size_t lines = (entries + across - 1) / across;
+  return legend_line_mm * static_cast<double>(lines);
 }
 
 // The words side by side below a plan.
@@ -77,10 +78,12 @@ void draw_list(Canvas& canvas, const Eigen::Vector2d& at, double width_mm, const
                const Color& color) {
   const auto across = std::max<std::size_t>(1, static_cast<std::size_t>(width_mm / 30));
   const TextStyle style{7, color};
-  for (std::size_t i = 0; i < words.size(); ++i)
-    canvas.text(at + Eigen::Vector2d(30.0 * static_cast<double>(i % across),
-                                     legend_line_mm * (static_cast<double>(i / across) + 0.5)),
-                words[i], style.aligned(HAlign::left, VAlign::middle));
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::size_t column = i % across, line = i / across;
+    canvas.text(
+        at + Eigen::Vector2d(30.0 * static_cast<double>(column), legend_line_mm * (static_cast<double>(line) + 0.5)),
+        words[i], style.aligned(HAlign::left, VAlign::middle));
+  }
 }
 
 void draw_found(Canvas& canvas, const Frame& frame, const TruthContent& c, bool ids) {

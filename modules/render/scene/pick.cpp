@@ -95,10 +95,10 @@ std::optional<std::uint32_t> pick_point(const PickView& view, const PointCloud& 
     if (const double d = (px - at_px).norm(); d <= reach_px) near.push_back({i, d, clip.w() + clip.z()});
   }
   if (near.empty()) return {};
-  const double front = std::ranges::min(near, {}, &Near::w).w;
-  const Near* best = nullptr;
-  for (const auto& n : near)
-    if (n.w <= front + same_depth * std::abs(front) && (best == nullptr || n.px < best->px)) best = &n;
+  const auto front = std::ranges::min_element(near, {}, &Near::w);
+  auto best = front;
+  for (auto n = near.begin(); n != near.end(); ++n)
+    if (n->w <= front->w + same_depth * std::abs(front->w) && n->px < best->px) best = n;
   return best->index;
 }
 

@@ -96,7 +96,7 @@ class Cards {
   std::string html() const {
     std::vector<Card> cards{volume(), basal_area(), stems(), diameter(), height()};
     // The first card is the largest: what is known comes first.
-    std::ranges::stable_partition(cards, [](const Card& c) { return c.value != not_given; });
+    std::stable_partition(cards.begin(), cards.end(), [](const Card& c) { return c.value != not_given; });
     std::string out = "<div class=\"cards\">\n";
     for (const auto& c : cards) out += card_html(c);
     return out + "</div>\n";

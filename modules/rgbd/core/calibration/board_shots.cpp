@@ -36,7 +36,8 @@ std::vector<BoardCorner> chessboard_corners(const ColorImage& color, const Board
   if (!seen || static_cast<int>(found.size()) != inner.area()) return corners;
   for (int row = 0; row < inner.height; ++row)
     for (int column = 0; column < inner.width; ++column) {
-      const auto& p = found[static_cast<std::size_t>(row * inner.width + column)];
+      const int at = row * inner.width + column;
+      const auto& p = found[static_cast<std::size_t>(at)];
       corners.push_back({board.square * Eigen::Vector3d(column + 1, row + 1, 0), {p.x, p.y}});
     }
   return corners;

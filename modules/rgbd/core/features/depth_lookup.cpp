@@ -47,8 +47,8 @@ void DepthLookup::make_coarse() {
           camera_->T_color_depth * (camera_->depth->direction(Eigen::Vector2d(x, y)) * static_cast<double>(z));
       const auto pixel = color.project(p);
       if (!pixel || !color.contains(*pixel)) continue;
-      const int cx = static_cast<int>(pixel->x() + 0.5) / coarse_cell;
-      const int cy = static_cast<int>(pixel->y() + 0.5) / coarse_cell;
+      const int cx = static_cast<int>(std::lround(pixel->x())) / coarse_cell;
+      const int cy = static_cast<int>(std::lround(pixel->y())) / coarse_cell;
       if (!coarse_.contains(cx, cy)) continue;
       float& cell = coarse_.at(cx, cy);
       if (cell <= 0 || p.z() < static_cast<double>(cell)) cell = static_cast<float>(p.z());
@@ -56,7 +56,8 @@ void DepthLookup::make_coarse() {
 }
 
 double DepthLookup::coarse_depth(const Eigen::Vector2d& pixel) const {
-  const int cx = static_cast<int>(pixel.x() + 0.5) / coarse_cell, cy = static_cast<int>(pixel.y() + 0.5) / coarse_cell;
+  const int cx = static_cast<int>(std::lround(pixel.x())) / coarse_cell;
+  const int cy = static_cast<int>(std::lround(pixel.y())) / coarse_cell;
   for (int reach = 0; reach <= 1; ++reach) {
     float nearest = 0;
     for (int dy = -reach; dy <= reach; ++dy)

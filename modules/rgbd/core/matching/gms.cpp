@@ -44,7 +44,7 @@ struct Grid {
 class Votes {
  public:
   Votes(const std::vector<PixelPair>& pairs, const Grid& a, const Grid& b) : a_(a), b_(b) {
-    in_a_.assign(static_cast<std::size_t>(a.nx * a.ny), 0);
+    in_a_.assign(static_cast<std::size_t>(a.nx) * static_cast<std::size_t>(a.ny), 0);
     for (const auto& p : pairs) {
       const int ca = a.cell_of(p.a), cb = b.cell_of(p.b);
       cells_.emplace_back(ca, cb);
