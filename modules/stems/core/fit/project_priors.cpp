@@ -69,8 +69,8 @@ RangeOffsetPrior mean_range_offset(const std::vector<RangeOffsetEvidence>& stems
   // What stems say of the offset is how strongly their bark seems to curve against where it lies, so an error of shape
   // that all share comes out threefold, and no number of stems averages it out: on maps with true poses (views apart by
   // 0.5 to 1.5 mm) the mean was right to 1 mm, on SLAM maps without an inertial unit (2 to 3 mm) it was 4 to 5 mm too
-  // low. On a scanner that shares nothing with ours (docs/dev/diameters.md) stems say up to 2 mm where there is none.
-  constexpr double between_m = 0.003, shape_m = 0.002, by_view = 1.3, min_spread_m = 0.0005, weak_m = 0.05;
+  // low.
+  constexpr double between_m = 0.003, shape_m = 0.001, by_view = 1.3, min_spread_m = 0.0005, weak_m = 0.05;
   std::vector<double> values, doubts;
   for (const auto& e : stems) values.push_back(e.value_m), doubts.push_back(e.beam_doubt_m);
   const double shared_m = std::hypot(shape_m, by_view * view_sd_m, doubts.empty() ? 0 : upper_median(doubts));
