@@ -102,7 +102,7 @@ std::optional<InertialSample> decode_livox_inertial(Bytes data) {
   if (data.size() < 24) return {};
   InertialSample sample;
   for (int axis = 0; axis < 3; ++axis) {
-    const auto at = static_cast<std::size_t>(4 * axis);
+    const auto at = 4 * static_cast<std::size_t>(axis);
     sample.angular_rate_rad_s[axis] = little_float(data, at);
     sample.specific_force_m_s2[axis] = standard_gravity * little_float(data, 12 + at);
   }

@@ -71,9 +71,10 @@ Pose pose(const json& root, const char* key, const Pose& otherwise) {
     throw bad_input("'" + std::string(key) + "' has " + std::to_string(entries.size()) + " numbers", "16");
   Pose out = Pose::Identity();
   for (int row = 0; row < 3; ++row) {
+    const auto first = 4 * static_cast<std::size_t>(row);
     for (int column = 0; column < 3; ++column)
-      out.linear()(row, column) = entries[static_cast<std::size_t>(4 * row + column)];
-    out.translation()(row) = 1e-3 * entries[static_cast<std::size_t>(4 * row + 3)];
+      out.linear()(row, column) = entries[first + static_cast<std::size_t>(column)];
+    out.translation()(row) = 1e-3 * entries[first + 3];
   }
   const Eigen::Matrix3d gram = out.linear() * out.linear().transpose();
   if (!gram.isApprox(Eigen::Matrix3d::Identity(), 1e-3) || out.linear().determinant() < 0)

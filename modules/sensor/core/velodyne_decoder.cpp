@@ -33,7 +33,8 @@ int VelodyneDecoder::blocks_per_firing(bool dual) const {
 }
 
 double VelodyneDecoder::packet_period_s(bool dual) const {
-  return firing_period_s() * (velodyne_blocks / blocks_per_firing(dual));
+  const int firings = velodyne_blocks / blocks_per_firing(dual);
+  return firing_period_s() * firings;
 }
 
 std::vector<VelodyneFiring> VelodyneDecoder::firings(const VelodynePacket& packet) const {
@@ -113,8 +114,8 @@ void VelodyneDecoder::decode(const VelodynePacket& packet, const std::vector<Vel
     const auto* strongest = dual ? &packet.blocks[static_cast<std::size_t>(firing.first_block) + 1] : nullptr;
     if (strongest != nullptr && !strongest->valid()) strongest = nullptr;
     for (std::size_t r = 0; r < velodyne_records; ++r) {
-      const std::size_t beam = r % beams_.size();
-      const double sequence_time_s = static_cast<double>(r / beams_.size()) * model_.sequence_period_s;
+      const std::size_t beam = r % beams_.size(), sequence = r / beams_.size();
+      const double sequence_time_s = static_cast<double>(sequence) * model_.sequence_period_s;
       if (dual)
         append_pair(block, strongest, r, beam, firing, sequence_time_s, index, out);
       else

@@ -145,7 +145,7 @@ void check_relations(const PlotRecipe& r) {
 }  // namespace
 
 PlotRecipe parse_recipe(const nlohmann::json& json) {
-  const auto recipe = recipe_from_json<PlotRecipe>(json);
+  auto recipe = recipe_from_json<PlotRecipe>(json);
   check_relations(recipe);
   return recipe;
 }

@@ -96,7 +96,7 @@ void Grower::broadleaf_crown(const Tree& tree, TriangleMesh& wood, Random& rando
     const auto path =
         branch(wood, s, h, random.angle(), random.uniform(0.2, 0.9), length, 0.012 + 0.02 * (1 - up), random);
     for (int k = 0; k < (tree.pole ? 2 : tree.in_plot ? 5 : 3); ++k) {
-      const auto j = static_cast<std::size_t>(2 + leaves.index(3));
+      const auto j = 2 + static_cast<std::size_t>(leaves.index(3));
       place(clumps_, leaves,
             placement(path[j] + 0.35 * random_direction(leaves), leaves.angle(), leaves.uniform(0.8, 1.5)));
     }

@@ -27,7 +27,7 @@ RTCGeometry make_geometry(RTCDevice device, const TriangleMesh& mesh) {
   if (!vertices || !triangles)
     throw failure("Embree has no memory for a mesh of " + std::to_string(mesh.triangles.size()) + " triangles", {},
                   "Use a smaller plot or fewer trees");
-  std::memcpy(vertices, mesh.vertices.data(), mesh.vertices.size() * sizeof(Eigen::Vector3f));
+  std::memcpy(vertices, static_cast<const void*>(mesh.vertices.data()), mesh.vertices.size() * sizeof(Eigen::Vector3f));
   std::memcpy(triangles, mesh.triangles.data(), mesh.triangles.size() * sizeof(mesh.triangles[0]));
   rtcCommitGeometry(geometry);
   return geometry;

@@ -57,9 +57,11 @@ class RoutePlan {
     if (!hand) return;
     // Of a hand: rotations of a third of a degree, translations of 3 mm, from view to view.
     for (int axis = 0; axis < 6; ++axis)
-      for (int k = 0; k < 3; ++k)
+      for (int k = 0; k < 3; ++k) {
+        const int slower = 4 / (k + 1), faster = 8 / (k + 1);
         tremor_[static_cast<std::size_t>(axis)][static_cast<std::size_t>(k)] =
-            wave(r.tremor * (axis < 3 ? 0.3 * rad_per_deg : 0.003) / (k + 1), 2.2 + 4 / (k + 1), 6 + 8 / (k + 1));
+            wave(r.tremor * (axis < 3 ? 0.3 * rad_per_deg : 0.003) / (k + 1), 2.2 + slower, 6 + faster);
+      }
   }
 
   Pose T_room_camera(double t) const {

@@ -12,7 +12,8 @@ namespace {
 constexpr int finest_level = 512;
 
 float lattice(std::uint64_t seed, int cells, int x, int y) {
-  const auto key = static_cast<std::uint64_t>((y & (cells - 1)) * cells + (x & (cells - 1)));
+  const int at = (y & (cells - 1)) * cells + (x & (cells - 1));
+  const auto key = static_cast<std::uint64_t>(at);
   return static_cast<float>(
       static_cast<double>(mix64(seed ^ mix64(key + (static_cast<std::uint64_t>(cells) << 32))) >> 40) * 0x1.0p-23 - 1);
 }
@@ -48,7 +49,10 @@ NoiseTexture::NoiseTexture(std::uint64_t seed, int finest, double gain) {
     Level coarse{fine.size / 2, {}};
     for (int y = 0; y < coarse.size; ++y)
       for (int x = 0; x < coarse.size; ++x) {
-        const auto at = [&](int i, int j) { return fine.values[static_cast<std::size_t>(j * fine.size + i)]; };
+        const auto at = [&](int i, int j) {
+          const int k = j * fine.size + i;
+          return fine.values[static_cast<std::size_t>(k)];
+        };
         coarse.values.push_back(
             0.25F * (at(2 * x, 2 * y) + at(2 * x + 1, 2 * y) + at(2 * x, 2 * y + 1) + at(2 * x + 1, 2 * y + 1)));
       }
@@ -65,7 +69,10 @@ float NoiseTexture::at(float u, float v, float footprint) const {
   const float fx = std::floor(x), fy = std::floor(y), s = x - fx, t = y - fy;
   const int mask = level.size - 1;
   const int i = static_cast<int>(fx) & mask, j = static_cast<int>(fy) & mask, k = (i + 1) & mask, l = (j + 1) & mask;
-  const auto value = [&](int a, int b) { return level.values[static_cast<std::size_t>(b * level.size + a)]; };
+  const auto value = [&](int a, int b) {
+    const int at = b * level.size + a;
+    return level.values[static_cast<std::size_t>(at)];
+  };
   return (1 - t) * ((1 - s) * value(i, j) + s * value(k, j)) + t * ((1 - s) * value(i, l) + s * value(k, l));
 }
 

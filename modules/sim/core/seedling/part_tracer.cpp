@@ -47,7 +47,8 @@ struct PartTracer::Impl {
     auto* triangles = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                               3 * sizeof(std::uint32_t), part.triangles.size());
     if (!vertices || !triangles) throw failure("Embree has no memory for the seedling");
-    std::memcpy(vertices, part.positions.data(), part.positions.size() * sizeof(part.positions[0]));
+    std::memcpy(vertices, static_cast<const void*>(part.positions.data()),
+                part.positions.size() * sizeof(part.positions[0]));
     std::memcpy(triangles, part.triangles.data(), part.triangles.size() * sizeof(part.triangles[0]));
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(scene, geometry, number);
