@@ -52,7 +52,8 @@ double arc_at_height(const PlantForm& plant, double height) {
 template <class T>
 void put(std::ofstream& out, const T& value) {
   std::array<char, sizeof(T)> bytes;
-  std::memcpy(bytes.data(), &value, sizeof(T));  // little-endian, as the processors that Bole runs on
+  std::memcpy(bytes.data(), static_cast<const void*>(&value),
+              sizeof(T));  // little-endian, as the processors that Bole runs on
   out.write(bytes.data(), sizeof(T));
 }
 

@@ -162,7 +162,8 @@ ScenePart soil_part(const Pot& pot, std::uint64_t seed) {
   double faded_sum = 0;
   for (int r = 0; r <= rings; ++r)
     for (int k = 0; k <= sides; ++k) {
-      const auto i = static_cast<std::size_t>(r * (sides + 1) + k);
+      const int at = r * (sides + 1) + k;
+      const auto i = static_cast<std::size_t>(at);
       const double d = radius * r / rings, fade = 1 - std::exp(-d * d / (0.008 * 0.008));
       lumps[i] = pot.relief * fade * (lumps[i] - mean) / sd;
       if (k < sides) faded_sum += lumps[i] * d;
@@ -171,7 +172,8 @@ ScenePart soil_part(const Pot& pot, std::uint64_t seed) {
   for (int r = 0; r <= rings; ++r)
     for (int k = 0; k <= sides; ++k) {
       const double a = two_pi * k / sides, d = radius * r / rings, fade = 1 - std::exp(-d * d / (0.008 * 0.008));
-      const double z = lumps[static_cast<std::size_t>(r * (sides + 1) + k)] - faded_sum / weights * fade;
+      const int at = r * (sides + 1) + k;
+      const double z = lumps[static_cast<std::size_t>(at)] - faded_sum / weights * fade;
       part.add(middle + Eigen::Vector3d(d * std::cos(a), d * std::sin(a), z), {d * std::cos(a), d * std::sin(a)});
     }
   constexpr std::uint32_t columns = sides + 1;

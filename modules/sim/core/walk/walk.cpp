@@ -148,7 +148,7 @@ Pose Walk::robot_pose(const Eigen::Vector4d& k, double pace, double t) const {
 }
 
 Eigen::Matrix3d Walk::mount() const {
-  const Eigen::Matrix3d turned = Eigen::AngleAxisd(mount_yaw_rad_, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  Eigen::Matrix3d turned = Eigen::AngleAxisd(mount_yaw_rad_, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   if (parameters_.mount_tilt_rad == 0) return turned;
   return Eigen::AngleAxisd(parameters_.mount_tilt_rad, Eigen::Vector3d::UnitY()) * turned;
 }

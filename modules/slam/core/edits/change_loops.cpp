@@ -79,8 +79,8 @@ std::string change_loops(StoredGraph& graph, const LoopEdit& edit, int match_fra
     if (!loop)
       throw EditConflict{fmt::format("there is no loop closure within {} frames of frames {} and {}", match_frames,
                                      edit.from_frame, edit.to_frame)};
-    const std::string note = loop->accepted ? pair_text(graph, loop->checked.loop) + ": struck out"
-                                            : pair_text(graph, loop->checked.loop) + ": it was refused before";
+    std::string note = loop->accepted ? pair_text(graph, loop->checked.loop) + ": struck out"
+                                      : pair_text(graph, loop->checked.loop) + ": it was refused before";
     loop->accepted = false;
     loop->edited = true;
     loop->checked.loop.by_hand = false;

@@ -50,7 +50,10 @@ class Occupancy {
       return of_mask;
     }();
     std::uint64_t sum = 0;
-    for (const int i : indices) sum += counts[taken_[static_cast<std::size_t>(i + offset)]];
+    for (const int i : indices) {
+      const int at = i + offset;
+      sum += counts[taken_[static_cast<std::size_t>(at)]];
+    }
     std::array<int, 2 * steps_up + 1> out{};
     for (int k = 0; k <= 2 * steps_up; ++k)
       out[static_cast<std::size_t>(k)] = static_cast<int>(sum >> (k * bits) & ((1u << bits) - 1));
@@ -108,7 +111,8 @@ PlaceGuess place_on_stretch(const std::vector<Keyframe>& keyframes, std::size_t 
                                     static_cast<int>(std::lround(ahead * s + aside * c)));
         const auto hits = occupancy.hits(indices, Occupancy::offset(shift));
         for (int up = -steps_up; up <= steps_up; ++up) {
-          const double share = static_cast<double>(hits[static_cast<std::size_t>(up + steps_up)]) /
+          const int level = up + steps_up;
+          const double share = static_cast<double>(hits[static_cast<std::size_t>(level)]) /
                                static_cast<double>(std::max<std::size_t>(1, points.size()));
           if (share <= best.score) continue;
           best.score = share;

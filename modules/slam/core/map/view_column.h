@@ -23,7 +23,8 @@ class ViewColumns {
       for (int elevation = 0; elevation < elevations; ++elevation) {
         const double a = (azimuth + 0.5) * azimuth_step - std::numbers::pi,
                      e = (elevation + 0.5) * elevation_step - 0.5 * std::numbers::pi;
-        auto& axes = axes_[static_cast<std::size_t>(azimuth * elevations + elevation)];
+        const int direction = azimuth * elevations + elevation;
+        auto& axes = axes_[static_cast<std::size_t>(direction)];
         axes.row(0) << -std::sin(a), std::cos(a), 0;
         axes.row(1) << -std::sin(e) * std::cos(a), -std::sin(e) * std::sin(a), std::cos(e);
         axes.row(2) << std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e);
