@@ -160,7 +160,8 @@ Relocalisation relocalise(const FeatureSet& features, const FeatureMaps& maps, c
   settings.coarse_iterations = 2;
   settings.iterations = 12;
   std::vector<Registration> registered;
-  for (const auto& [rough, velocity] : tried) {
+  for (const auto& attempt : tried) {
+    const Registration& rough = attempt.first;
     if (registered.size() == max_registered) break;
     const auto is_new = [&](const Registration& r) { return apart(r.motion.at(0.5), rough.motion.at(0.5)); };
     if (!std::ranges::all_of(registered, is_new)) continue;
