@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/option.h"
 
 namespace bole {
 inline namespace cloud {
@@ -65,6 +66,19 @@ auto edits_of(const std::string& path, std::string_view text, const Parse& parse
   const auto more = parse(text);
   edits.insert(edits.end(), more.begin(), more.end());
   return edits;
+}
+
+// The options of a stage that takes edits, which edits_of() joins. `S` has the members `edits` and `file`, both
+// std::string.
+template <class S>
+Option<S, std::string> edits_option() {
+  return {"edits", &S::edits,   TextKind::json,
+          {},      Tier::basic, "The edits as a JSON list, applied after those of the file."};
+}
+
+template <class S>
+Option<S, std::string> edit_file_option() {
+  return {"file", &S::file, TextKind::input_path, {}, Tier::basic, "A file with a JSON list of edits."};
 }
 
 }  // namespace cloud

@@ -21,6 +21,7 @@
 #include "features/traits/plant_editor.h"
 #include "features/traits/traits.h"
 #include "io/core/clouds/cloud_writer.h"
+#include "mouse_drag.h"
 #include "plant/core/edits/plant_edits.h"
 #include "plant_tests.h"
 #include "sample_window.h"
@@ -368,14 +369,7 @@ class PlantEditTest : public QObject {
   Eigen::Vector3d base_of() { return {number("base_x_m"), number("base_y_m"), number("base_z_m")}; }
 
   QPoint place(const Eigen::Vector3d& world) { return scene().place_of(world); }
-  void drag(const std::vector<QPoint>& path) {
-    QTest::mousePress(&scene(), Qt::LeftButton, {}, path.front());
-    for (const auto& to : path) {
-      QMouseEvent move(QEvent::MouseMove, to, Qt::LeftButton, Qt::LeftButton, {});
-      QApplication::sendEvent(&scene(), &move);
-    }
-    QTest::mouseRelease(&scene(), Qt::LeftButton, {}, path.back());
-  }
+  void drag(const std::vector<QPoint>& path) { drag_over(scene(), path); }
 
   QTemporaryDir folder_;
   std::unique_ptr<MainWindow> window_;

@@ -14,6 +14,7 @@
 #include "document/stage_roles.h"
 #include "features/point_edit/point_editor.h"
 #include "look/language.h"
+#include "mouse_drag.h"
 #include "sample_window.h"
 #include "shell/main_window.h"
 #include "small_plot.h"
@@ -342,14 +343,7 @@ class PointEditTest : public QObject {
   std::vector<PointEdit> edits_of_document() const { return edits_in(window_->session()); }
   QPoint place(const Eigen::Vector3d& world) const { return scene().place_of(world); }
 
-  void drag(const std::vector<QPoint>& path) {
-    QTest::mousePress(&scene(), Qt::LeftButton, {}, path.front());
-    for (const auto& to : path) {
-      QMouseEvent move(QEvent::MouseMove, to, Qt::LeftButton, Qt::LeftButton, {});
-      QApplication::sendEvent(&scene(), &move);
-    }
-    QTest::mouseRelease(&scene(), Qt::LeftButton, {}, path.back());
-  }
+  void drag(const std::vector<QPoint>& path) { drag_over(scene(), path); }
 
   QTemporaryDir folder_;
   std::unique_ptr<MainWindow> window_;

@@ -2,19 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "cloud/edit_list.h"
+
 namespace bole::survey {
 
 const OptionTable& option_table(const EditPointsOptions*) {
   using S = EditPointsOptions;
   static const OptionTable table = make_option_table<S>({
-      Option<S, std::string>{"edits",
-                             &S::edits,
-                             TextKind::json,
-                             {},
-                             Tier::basic,
-                             "The edits as a JSON list, applied after those of the file."},
-      Option<S, std::string>{
-          "file", &S::file, TextKind::input_path, {}, Tier::basic, "A file with a JSON list of edits."},
+      edits_option<S>(),
+      edit_file_option<S>(),
   });
   return table;
 }

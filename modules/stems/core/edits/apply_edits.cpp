@@ -8,6 +8,7 @@
 
 #include "base/arrays.h"
 #include "base/no_number.h"
+#include "cloud/edit_list.h"
 #include "stems/core/edits/edited_points.h"
 #include "stems/core/edits/plot_numbers.h"
 #include "stems/core/edits/relabel_points.h"
@@ -348,14 +349,8 @@ class Editor {
 const OptionTable& option_table(const EditOptions*) {
   using S = EditOptions;
   static const OptionTable table = make_option_table<S>({
-      Option<S, std::string>{"edits",
-                             &S::edits,
-                             TextKind::json,
-                             {},
-                             Tier::basic,
-                             "The edits as a JSON list, applied after those of the file."},
-      Option<S, std::string>{
-          "file", &S::file, TextKind::input_path, {}, Tier::basic, "A file with a JSON list of edits."},
+      edits_option<S>(),
+      edit_file_option<S>(),
       Option<S, double>{"match_distance",
                         &S::match_distance,
                         Unit::metre,

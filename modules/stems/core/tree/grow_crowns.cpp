@@ -153,7 +153,8 @@ class Growth {
     constexpr int n = 2 * reach_cells + 1;
     std::array<float, static_cast<std::size_t>(n * n * n)> cost{};
     const auto at = [](int dx, int dy, int dz) {
-      return static_cast<std::size_t>(((dz + reach_cells) * n + dy + reach_cells) * n + dx + reach_cells);
+      const int cell = ((dz + reach_cells) * n + dy + reach_cells) * n + dx + reach_cells;
+      return static_cast<std::size_t>(cell);
     };
     for (int dz = -reach_cells; dz <= reach_cells; ++dz)
       for (int dy = -reach_cells; dy <= reach_cells; ++dy)
