@@ -123,6 +123,40 @@ TEST(Registration, ElasticFramesFindTheMotionWithinTheFrame) {
   EXPECT_LT(elastic.rms, rigid.rms);
 }
 
+TEST(Registration, LongFramesFindTheBendOfTheirMotion) {
+  auto sensor = SpinningSensor::even(32, -25, 15, 450);
+  sensor.period_s = 0.2;
+  // Half of a sway of 4 cm within the frame, and a turn of the head.
+  const auto pose_at = [](double t) {
+    const double sway = bend_share(t / 0.2);
+    Pose T = synthetic::walk_on_circle(t, 5, 1, 0, 0);
+    T.translate(Eigen::Vector3d(0.01, 0.04, -0.02) * sway);
+    T.rotate(Eigen::AngleAxisd(0.02 * sway, Eigen::Vector3d::UnitZ()));
+    return T;
+  };
+  const SyntheticScan source(synthetic::trunks(18, 3.5), sensor, pose_at, 1);
+  FeatureMaps maps(0.1);
+  fill(maps,
+       SyntheticScan(synthetic::trunks(18, 3.5), SpinningSensor::even(32, -25, 15, 900),
+                     [](double t) { return synthetic::walk_on_circle(t, 5, 1, 0, 0); }, 5),
+       0, 4);
+  const FrameMotion guess{source.truth(0), source.truth(0.2)};
+  const auto query = features_of(source, 0).query;
+  RegistrationSettings settings;
+  settings.model = MotionModel::elastic;
+  settings.iterations = 30;
+  const auto straight = register_frame(query, maps, guess, settings, {});
+  settings.bend = BendPrior{};
+  const auto bent = register_frame(query, maps, guess, settings, {});
+  const Pose middle = source.truth(0.1);
+  EXPECT_TRUE(bent.converged);
+  EXPECT_GT(distance(straight.motion.at(0.5), middle), 0.015);
+  EXPECT_LT(distance(bent.motion.at(0.5), middle), 0.006);
+  EXPECT_LT(angle(bent.motion.at(0.5), middle), 0.5 * angle(straight.motion.at(0.5), middle));
+  EXPECT_LT(distance(bent.motion.T_map_begin, source.truth(0)), 0.01);
+  EXPECT_LT(bent.rms, straight.rms);
+}
+
 TEST(Registration, TheResultDoesNotDependOnTheNumberOfThreads) {
   const auto source = walk(3);
   FeatureMaps maps(0.1);

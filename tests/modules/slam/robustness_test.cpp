@@ -37,11 +37,23 @@ TEST(Robustness, ALostTrackEndsTheMapAndSaysWhere) {
   EXPECT_THAT(result.report.warnings, testing::Not(testing::Contains(HasSubstr("10 times a second"))));
 }
 
-TEST(Robustness, ALostTrackOfASlowScannerSaysThatItIsSlow) {
+SyntheticScan slow_scan(std::size_t frames, double gait = 1) {
   auto sensor = SpinningSensor::even(32, -25, 15, 360);
   sensor.period_s = 0.2;
-  SyntheticScan source(
-      synthetic::trunks(9, 3.5), sensor, [](double t) { return synthetic::walk_on_circle(t, 4, 1, 1, 0.3); }, 15);
+  return {synthetic::trunks(9, 3.5), sensor, [gait](double t) { return synthetic::walk_on_circle(t, 4, 1, gait, 0.3); },
+          frames};
+}
+
+// The frames are longer than half of a step.
+TEST(Robustness, AScannerThatTurnsFiveTimesASecondCanBeWalkedWith) {
+  const auto source = slow_scan(60, 1.5);
+  const auto result = run_slam(source, with_preset(Preset::best), {});
+  EXPECT_EQ(result.report.counts.at("frames"), 60) << testing::PrintToString(result.report.warnings);
+  EXPECT_LT(worst_m(result.trajectory, source), 0.05);
+}
+
+TEST(Robustness, ALostTrackOfASlowScannerSaysThatItIsSlow) {
+  auto source = slow_scan(15);
   source.spoil = [](std::size_t index, ScanFrame& frame) {
     if (index >= 5) frame.clear();
   };

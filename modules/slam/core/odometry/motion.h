@@ -9,8 +9,8 @@
 
 namespace bole::slam {
 
-// How the motion within a frame departs from a straight one, as an inertial unit saw it: the pose at s is
-// interpolate(begin, end, s) after(s). A correction of begin and end leaves it as it is.
+// How the motion within a frame departs from a straight one, as an inertial unit saw it or as the points of a long
+// frame tell: the pose at s is interpolate(begin, end, s) after(s). A correction of begin and end leaves it as it is.
 struct MotionShape {
   static constexpr std::size_t steps = 32;
   std::array<Pose, steps + 1> after;
@@ -35,6 +35,23 @@ struct FrameMotion {
   // The motion over the frame in the axes of its begin.
   Pose delta() const { return T_map_begin.inverse() * T_map_end; }
 };
+
+// Share of the bend in the middle of a frame that its pose at s has: a parabola, as of a constant acceleration.
+inline double bend_share(double s) { return 4 * s * (1 - s); }
+
+// A motion whose middle departs from the straight one by `bend` (turn rad, shift m; map axes).
+inline FrameMotion bent_motion(const Pose& T_map_begin, const Pose& T_map_end, const Vector6d& bend) {
+  auto shape = std::make_shared<MotionShape>();
+  for (std::size_t i = 0; i <= MotionShape::steps; ++i) {
+    const double s = static_cast<double>(i) / MotionShape::steps, share = bend_share(s);
+    const Pose straight = interpolate(T_map_begin, T_map_end, s);
+    Pose bent = straight;
+    bent.linear() = so3_exp(share * bend.head<3>()).toRotationMatrix() * straight.linear();
+    bent.translation() += share * bend.tail<3>();
+    shape->after[i] = straight.inverse() * bent;
+  }
+  return {T_map_begin, T_map_end, std::move(shape)};
+}
 
 // Constant motion of `span_s` about the middle of a frame. The velocity (turn rad/s, shift m/s) is in sensor axes.
 inline FrameMotion motion_about(const Pose& T_map_mid, const Vector6d& velocity, double span_s) {

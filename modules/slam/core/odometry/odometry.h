@@ -14,6 +14,9 @@ namespace bole::slam {
 
 class PointMatches;
 
+// A carrier that walks bends the motion within a longer frame by more than a centimetre.
+inline constexpr double longest_straight_frame_s = 0.15;
+
 struct TrackedFrame {
   std::size_t index = 0;  // in the source
   double begin_s = 0, end_s = 0;

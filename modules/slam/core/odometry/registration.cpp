@@ -5,7 +5,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "slam/core/odometry/point_matches.h"
 
@@ -13,13 +16,15 @@ namespace bole::slam {
 namespace {
 
 using Vector12d = Eigen::Matrix<double, 12, 1>;
+using Vector18d = Eigen::Matrix<double, 18, 1>;
+using Matrix18d = Eigen::Matrix<double, 18, 18>;
 
 constexpr double min_planarity = 0.25, min_linearity = 0.5;
 constexpr std::size_t chunk_points = 256;  // fixed, so that sums do not depend on the number of threads
 
 struct Sums {
-  Matrix12d H = Matrix12d::Zero();  // blocks: begin, end
-  Vector12d g = Vector12d::Zero();
+  Matrix18d H = Matrix18d::Zero();  // blocks: begin, end, bend; those above the diagonal
+  Vector18d g = Vector18d::Zero();
   Matrix6d H_data = Matrix6d::Zero();  // every point at full weight on one pose
   double squared_error = 0, weighted = 0;
   std::size_t matched = 0, inliers = 0;
@@ -35,17 +40,29 @@ struct Sums {
   }
 };
 
-// Shares of the begin and end unknowns in the pose at s.
-std::pair<double, double> shares(MotionModel model, double s) {
-  switch (model) {
+// Shares of the begin, end and bend unknowns in the pose at s.
+std::array<double, 3> shares(const RegistrationSettings& settings, double s) {
+  switch (settings.model) {
     case MotionModel::rigid:
-      return {0, 1};
+      return {0, 1, 0};
     case MotionModel::end:
-      return {0, s};
+      return {0, s, 0};
     case MotionModel::elastic:
       break;
   }
-  return {1 - s, s};
+  return {1 - s, s, settings.bend ? bend_share(s) : 0};
+}
+
+// Adds the equations of a pose to those of the unknowns that it is made of.
+void add_shares(const std::array<double, 3>& share, const PoseEquations& e, Sums& sums) {
+  for (int i = 0; i < 3; ++i) {
+    const double of_row = share[static_cast<std::size_t>(i)];
+    if (of_row == 0) continue;
+    for (int j = i; j < 3; ++j)
+      if (const double of_column = share[static_cast<std::size_t>(j)]; of_column != 0)
+        sums.H.block<6, 6>(6 * i, 6 * j) += of_row * of_column * e.H;
+    sums.g.segment<6>(6 * i) += of_row * e.g;
+  }
 }
 
 // SPEC A7: the variance of a condition is A Q A^T, made of the model (the thickness that the target came with), of the
@@ -122,14 +139,7 @@ class FrameEquations {
     }
     if (settings_.two_step) keep_own_unknowns(line, e);
     sums.H_data += e.H;
-    const auto [at_begin, at_end] = shares(settings_.model, p.s);
-    if (at_begin != 0) {
-      sums.H.topLeftCorner<6, 6>() += at_begin * at_begin * e.H;
-      sums.H.topRightCorner<6, 6>() += at_begin * at_end * e.H;
-      sums.g.head<6>() += at_begin * e.g;
-    }
-    sums.H.bottomRightCorner<6, 6>() += at_end * at_end * e.H;
-    sums.g.tail<6>() += at_end * e.g;
+    add_shares(shares(settings_, p.s), e, sums);
   }
 
   void match(bool line, const FeaturePoint& p, const PoseGrid& poses, const Eigen::Vector3d& lever,
@@ -154,6 +164,12 @@ class FrameEquations {
   std::vector<Target> targets_;
 };
 
+Matrix12d of_begin_and_end(const Matrix18d& H) {
+  Matrix12d out = H.topLeftCorner<12, 12>();
+  out.bottomLeftCorner<6, 6>() = out.topRightCorner<6, 6>().transpose();
+  return out;
+}
+
 Vector6d pose_difference(const Pose& from, const Pose& to) {
   Vector6d d;
   d << so3_log(Eigen::Quaterniond(to.linear() * from.linear().transpose())), to.translation() - from.translation();
@@ -173,16 +189,22 @@ Vector6d inverse_variances(double sigma_rad, double sigma) {
   return w;
 }
 
-// Of elastic frames: begin against its prediction, and (end - begin) against the predicted motion.
-void add_priors(const FrameMotion& motion, const FrameMotion& predicted, const RegistrationSettings& settings,
-                Sums& sums) {
+// Of elastic frames: begin against its prediction, (end - begin) against the predicted motion, and the bend against
+// none.
+void add_priors(const FrameMotion& motion, const Vector6d& bend, const FrameMotion& predicted,
+                const RegistrationSettings& settings, Sums& sums) {
   if (settings.model != MotionModel::elastic) return;
+  if (settings.bend) {
+    const Vector6d w = inverse_variances(settings.bend->sigma_rad, settings.bend->sigma);
+    sums.H.bottomRightCorner<6, 6>() += w.asDiagonal();
+    sums.g.tail<6>() += w.cwiseProduct(bend);
+  }
   if (settings.joint_information) {
     Vector12d error;
     error << pose_difference(predicted.T_map_begin, motion.T_map_begin),
         pose_difference(predicted.T_map_end, motion.T_map_end);
-    sums.H += *settings.joint_information;
-    sums.g += *settings.joint_information * error;
+    sums.H.topLeftCorner<12, 12>() += *settings.joint_information;
+    sums.g.head<12>() += *settings.joint_information * error;
     return;
   }
   const Vector6d wb = inverse_variances(settings.begin_sigma_rad, settings.begin_sigma),
@@ -191,10 +213,10 @@ void add_priors(const FrameMotion& motion, const FrameMotion& predicted, const R
                  ee = pose_difference(predicted.T_map_end, motion.T_map_end);
   const Vector6d em = ee - eb;
   sums.H.topLeftCorner<6, 6>() += (wb + wm).asDiagonal();
-  sums.H.bottomRightCorner<6, 6>() += wm.asDiagonal();
-  sums.H.topRightCorner<6, 6>() -= wm.asDiagonal();
+  sums.H.block<6, 6>(6, 6) += wm.asDiagonal();
+  sums.H.block<6, 6>(0, 6) -= wm.asDiagonal();
   sums.g.head<6>() += wb.cwiseProduct(eb) - wm.cwiseProduct(em);
-  sums.g.tail<6>() += wm.cwiseProduct(em);
+  sums.g.segment<6>(6) += wm.cwiseProduct(em);
 }
 
 // Takes out what the points seem to tell about motions that they do not determine.
@@ -207,24 +229,34 @@ void keep_determined(const Matrix6d& P, Sums& sums) {
   sums.H_data = (P.transpose() * sums.H_data * P).eval();
 }
 
-// The step that reduces the sum of squares. Applies it to `motion` and returns it for begin and end.
-Vector12d solve_and_move(const Sums& sums, MotionModel model, FrameMotion& motion) {
-  Vector12d step = Vector12d::Zero();
-  if (model == MotionModel::elastic) {
-    Matrix12d H = sums.H;
-    H.bottomLeftCorner<6, 6>() = H.topRightCorner<6, 6>().transpose();
-    step = -H.ldlt().solve(sums.g);
-    if (!step.allFinite()) return Vector12d::Constant(std::nan(""));
+// The least squares step of an elastic frame; without a bend the last six are 0.
+Vector18d elastic_step(const Sums& sums, bool with_bend) {
+  Vector18d step = Vector18d::Zero();
+  if (with_bend)
+    step = -Matrix18d(sums.H.selfadjointView<Eigen::Upper>()).ldlt().solve(sums.g);
+  else
+    step.head<12>() = -of_begin_and_end(sums.H).ldlt().solve(sums.g.head<12>());
+  return step;
+}
+
+// The step that reduces the sum of squares. Applies it to `motion` and `bend`, and returns it.
+Vector18d solve_and_move(const Sums& sums, const RegistrationSettings& settings, FrameMotion& motion, Vector6d& bend) {
+  Vector18d step = Vector18d::Zero();
+  if (settings.model == MotionModel::elastic) {
+    step = elastic_step(sums, settings.bend.has_value());
+    if (!step.allFinite()) return Vector18d::Constant(std::nan(""));
     motion.T_map_begin = moved(motion.T_map_begin, step.head<6>());
-    motion.T_map_end = moved(motion.T_map_end, step.tail<6>());
+    motion.T_map_end = moved(motion.T_map_end, step.segment<6>(6));
+    bend += step.tail<6>();
+    if (settings.bend) motion = bent_motion(motion.T_map_begin, motion.T_map_end, bend);
     return step;
   }
-  Matrix6d H = sums.H.bottomRightCorner<6, 6>();
+  Matrix6d H = sums.H.block<6, 6>(6, 6);
   H.diagonal() += Vector6d::Constant(1e-9 * H.trace() + 1e-12);
-  const Vector6d d = -H.ldlt().solve(sums.g.tail<6>());
-  if (!d.allFinite()) return Vector12d::Constant(std::nan(""));
-  step.tail<6>() = d;
-  if (model == MotionModel::rigid) {
+  const Vector6d d = -H.ldlt().solve(sums.g.segment<6>(6));
+  if (!d.allFinite()) return Vector18d::Constant(std::nan(""));
+  step.segment<6>(6) = d;
+  if (settings.model == MotionModel::rigid) {
     // The begin moves rigidly with the end.
     const Pose T_end_begin = motion.T_map_end.inverse() * motion.T_map_begin;
     motion.T_map_end = moved(motion.T_map_end, d);
@@ -233,6 +265,16 @@ Vector12d solve_and_move(const Sums& sums, MotionModel model, FrameMotion& motio
     motion.T_map_end = moved(motion.T_map_end, d);
   }
   return step;
+}
+
+// The largest turn and the largest shift of a step.
+std::pair<double, double> size_of(const Vector18d& step) {
+  double turn = 0, shift = 0;
+  for (int i = 0; i < 18; i += 6) {
+    turn = std::max(turn, step.segment<3>(i).norm());
+    shift = std::max(shift, step.segment<3>(i + 3).norm());
+  }
+  return {turn, shift};
 }
 
 // Smallest over largest eigenvalue of the information on the shift with the turn eliminated: small where a direction is
@@ -339,6 +381,7 @@ Registration register_frame(const FeatureSet& features, const FeatureMaps& maps,
   out.tried = features.size();
   FrameEquations equations(features, maps, settings);
   Sums sums;
+  Vector6d bend = Vector6d::Zero();  // of the middle, map axes
   for (int i = 0; i < settings.iterations; ++i) {
     // Coarse levels and a wide kernel come first: they reach farther.
     const int coarse = std::max(0, settings.coarse_iterations - i);
@@ -348,13 +391,11 @@ Registration register_frame(const FeatureSet& features, const FeatureMaps& maps,
     out.iterations = i + 1;
     if (sums.matched < 12) break;
     if (settings.determined) keep_determined(*settings.determined, sums);
-    out.begin_end_information = sums.H;
-    out.begin_end_information.bottomLeftCorner<6, 6>() = sums.H.topRightCorner<6, 6>().transpose();
-    add_priors(out.motion, guess, settings, sums);
-    const Vector12d step = solve_and_move(sums, settings.model, out.motion);
+    out.begin_end_information = of_begin_and_end(sums.H);
+    add_priors(out.motion, bend, guess, settings, sums);
+    const Vector18d step = solve_and_move(sums, settings, out.motion, bend);
     if (!step.allFinite()) break;
-    const double turn = std::max(step.segment<3>(0).norm(), step.segment<3>(6).norm()),
-                 shift = std::max(step.segment<3>(3).norm(), step.segment<3>(9).norm());
+    const auto [turn, shift] = size_of(step);
     if (coarse == 0 && turn < settings.converged_turn_rad && shift < settings.converged_shift) {
       out.converged = true;
       break;

@@ -70,7 +70,12 @@ class PointMatches;
 enum class MotionModel {
   rigid,   // the motion within the frame is kept and the frame is moved as a whole: 6 unknowns
   end,     // the begin pose is fixed, the end pose is estimated without priors: 6 unknowns
-  elastic  // begin and end pose, with priors of continuity and smoothness: 12 unknowns
+  elastic  // begin and end pose, with priors of continuity and smoothness: 12 unknowns; 18 with a bend between them
+};
+
+// Standard deviations of how far the middle of a frame departs from a straight motion between begin and end.
+struct BendPrior {
+  double sigma = 0.02, sigma_rad = 0.01;
 };
 
 struct RegistrationSettings {
@@ -89,6 +94,8 @@ struct RegistrationSettings {
   // Elastic only: standard deviations of the begin from the prediction, and of the motion over the frame from it.
   double begin_sigma = 0.004, begin_sigma_rad = 0.001;
   double motion_sigma = 0.05, motion_sigma_rad = 0.02;
+  // Elastic only: the motion is a parabola in time that departs from the straight one by the bend in the middle.
+  std::optional<BendPrior> bend;
   // Elastic only, instead of these: information about begin and end (turn, shift of each; map axes) from the guess.
   std::optional<Matrix12d> joint_information;
   // Keeps what the points tell about motions that they determine: turn and shift of the sensor are projected by it.

@@ -101,9 +101,8 @@ std::string found_again_text(const Odometry& odometry) {
 
 // A walking person sways twice a second, which begin and end of a frame tell while it is short.
 std::string frame_rate_hint(const TrackedFrame& frame) {
-  constexpr double short_enough_s = 0.15;
   const double lasts_s = frame.end_s - frame.begin_s;
-  if (lasts_s <= short_enough_s) return {};
+  if (lasts_s <= longest_straight_frame_s) return {};
   return ". A frame takes " + seconds_text(lasts_s) +
          ", in which a walk bends it: let the scanner turn 10 times a second or more";
 }
