@@ -1,5 +1,5 @@
-// What a window without a document shows: the sample plot, files to open, lessons, those files opened last with what was
-// seen of them, and changes that a crash left unsaved.
+// What a window without a document shows: the sample plot, files to open, lessons, those files opened last with what
+// was seen of them, and changes that a crash left unsaved.
 #pragma once
 
 #include <QWidget>

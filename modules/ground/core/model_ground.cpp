@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/angles.h"
 #include "base/statistics.h"
@@ -187,7 +188,7 @@ class TinTerrain {
       candidates = std::move(found.candidates);
       pinned = std::move(found.feet);
     };
-    if (!given_.empty()) take({std::move(candidates), {}});
+    if (!given_.empty()) take({std::exchange(candidates, {}), {}});
     for (int round = 0; round < max_rounds; ++round) {
       prior_ = surface_heights(tin_ground(candidates, pinned, shape_, scales_, run_), shape_);
       const auto through = columns_through(columns, shape_, prior_);

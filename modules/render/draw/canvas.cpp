@@ -153,7 +153,7 @@ void Canvas::ellipse(const Eigen::Vector2d& centre, double a_mm, double b_mm, do
     outline.emplace_back(centre.x() + u * std::cos(angle_rad) - v * std::sin(angle_rad),
                          centre.y() - u * std::sin(angle_rad) - v * std::cos(angle_rad));
   }
-  polygon(outline, fill, std::move(stroke));
+  polygon(outline, fill, stroke);
 }
 
 void Canvas::dots(std::span<const Eigen::Vector2d> centres, double diameter_mm, const Color& color) {

@@ -39,7 +39,7 @@ Eigen::Vector3d robust_plane(const std::vector<Eigen::Vector3d>& points, double 
 }
 
 // The lowest point of each cell, a tenth of the cell's points being passed over as possible noise.
-std::vector<Eigen::Vector3d> lowest_per_cell(std::vector<Eigen::Vector3d> points, double cell_m) {
+std::vector<Eigen::Vector3d> lowest_per_cell(const std::vector<Eigen::Vector3d>& points, double cell_m) {
   std::map<std::pair<int, int>, std::vector<Eigen::Vector3d>> cells;
   for (const auto& p : points)
     cells[{static_cast<int>(std::floor(p.y() / cell_m)), static_cast<int>(std::floor(p.x() / cell_m))}].push_back(p);
@@ -89,13 +89,13 @@ std::optional<double> ground_height_at(const PointCloud& cloud, const Eigen::Mat
     const Eigen::Vector2d d = p.head<2>() - place;
     if (d.squaredNorm() < radius_m * radius_m) near.emplace_back(d.x(), d.y(), p.z());  // false for NaN
   }
-  constexpr double cell_m = 0.2, band_m = 0.15, bin_m = 0.01;
+  constexpr int bins = 30;
+  constexpr double cell_m = 0.2, band_m = 0.15, bin_m = 2 * band_m / bins;
   if (near.size() < 20) return std::nullopt;
   const auto low = lowest_per_cell(near, cell_m);
   if (low.size() < 6) return std::nullopt;
   const Eigen::Vector3d plane = robust_plane(low, 0.03);
   // The plane runs along the lower side of a band some centimetres thick; its densest layer is the ground.
-  constexpr int bins = static_cast<int>(2 * band_m / bin_m + 0.5);
   std::array<double, static_cast<std::size_t>(bins)> counts{};
   for (const auto& p : near) {
     const double h = p.z() - plane.dot(Eigen::Vector3d(1, p.x(), p.y()));

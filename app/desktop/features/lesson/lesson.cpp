@@ -43,7 +43,7 @@ void make_commands(Workbench& bench, LessonGuide* guide) {
                   .text = lesson_text(lesson.title),
                   .places = {in_submenu("lesson.menu")},
                   .act = [guide, id = lesson.id] { guide->begin(id); }});
-  const auto during = [guide](std::function<bool()> also, const QString& otherwise) {
+  const auto during = [guide](const std::function<bool()>& also, const QString& otherwise) {
     return When{[guide, also] { return guide->lesson() != nullptr && also(); }, otherwise};
   };
   const QString none = Workbench::tr("Open a lesson first.");

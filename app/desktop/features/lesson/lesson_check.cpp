@@ -19,7 +19,7 @@ pipeline::PipelineDocument pipeline_of(const LessonDocument& document) {
 
 class Checker {
  public:
-  Checker(const Lesson& lesson, const WindowNames& names) : lesson_(lesson), names_(names) {
+  Checker(const Lesson& lesson, const WindowNames& names) : names_(names) {
     for (const auto& document : lesson.documents) documents_.emplace(document.id, pipeline_of(document));
     for (const auto& [name, number] : lesson.numbers) {
       check(number);
@@ -75,7 +75,6 @@ class Checker {
                         "a name of 'numbers', or one that this step or an earlier one keeps");
   }
 
-  const Lesson& lesson_;
   const WindowNames& names_;
   std::map<std::string, pipeline::PipelineDocument> documents_;
   std::map<std::string, double> known_;

@@ -52,8 +52,8 @@ struct CheckGrid {
     return static_cast<std::size_t>(q.y()) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(q.x());
   }
   Eigen::Vector2d middle(std::size_t i) const {
-    const auto n = static_cast<std::size_t>(nx);
-    return low + cell_m * Eigen::Vector2d(static_cast<double>(i % n) + 0.5, static_cast<double>(i / n) + 0.5);
+    const auto n = static_cast<std::size_t>(nx), row = i / n;
+    return low + cell_m * Eigen::Vector2d(static_cast<double>(i % n) + 0.5, static_cast<double>(row) + 0.5);
   }
   std::size_t inside_cells() const;
 };

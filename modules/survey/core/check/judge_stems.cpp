@@ -119,7 +119,8 @@ double inside_m(const PlotArea& area, const std::vector<Eigen::Vector2d>& outlin
   }
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Eigen::Vector2d a = outline[i], b = outline[(i + 1) % outline.size()], along = b - a;
+    const Eigen::Vector2d& a = outline[i];
+    const Eigen::Vector2d along = outline[(i + 1) % outline.size()] - a;
     const double t = std::clamp((p - a).dot(along) / std::max(1e-12, along.squaredNorm()), 0.0, 1.0);
     const Eigen::Vector2d q = a + t * along;
     if (const double d = (p - q).norm(); d < best) {

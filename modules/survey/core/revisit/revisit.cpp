@@ -79,8 +79,8 @@ std::optional<double> years_between(const Table& first, const Table& second, con
 
 StandAlignment aligned(const SurveyedStand& a, const SurveyedStand& b, const RevisitOptions& o,
                        const AlignLimits& limits, const Run& run) {
-  const auto alignment = o.axes == RevisitAxes::same ? align_in_place(a.trees, b.trees, limits)
-                                                     : align_stands(a.trees, b.trees, limits, run);
+  auto alignment = o.axes == RevisitAxes::same ? align_in_place(a.trees, b.trees, limits)
+                                               : align_stands(a.trees, b.trees, limits, run);
   if (!alignment.certain) refuse(alignment, a.trees.size(), b.trees.size());
   return alignment;
 }
