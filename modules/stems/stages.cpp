@@ -94,9 +94,9 @@ pipeline::StageType edit_stage() {
   t.vtk_class = "vtkBoleEditStems";
   t.title = "Edit stems";
   t.help =
-      "Applies the edits of a person: add, delete, move, resize, set_height, split, merge, accept, reject, note and "
-      "set_species, "
-      "each with author, time and reason. The inputs do not change. The edits are kept in the pipeline and applied "
+      "Applies the edits of a person: add, delete, move, resize, set_height, split, merge, accept, reject, note, "
+      "set_species and tilt, each with author, time and reason. The inputs do not change. The edits are kept in the "
+      "pipeline and applied "
       "again after every run, by place. An edit that no longer fits is a conflict: it changes nothing and is listed. "
       "Where a plot is connected, its trees get the ids from 1 on and the others follow.";
   t.source = "Bole";

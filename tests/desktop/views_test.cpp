@@ -14,6 +14,8 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTreeWidget>
+#include <stdexcept>
 
 #include "panels/table_panel.h"
 #include "pipeline/register_all_stages.h"
@@ -150,6 +152,85 @@ class ViewsTest : public QObject {
     QVERIFY(wait());
   }
 
+  void handles_change_the_selected_stem() {
+    auto& scene = window_->scene();
+    table().select_tree(5);
+    scene.zoom_to_tree(5);
+    QTRY_VERIFY_WITH_TIMEOUT(scene.refined(), 20000);
+    QVERIFY(scene.drawings("stem_handles").empty());
+    trigger("stem.handles");
+    const QPoint middle = scene.place_of(grip("place"));
+    QWheelEvent closer(middle, scene.mapToGlobal(middle), {}, {0, 120 * 8}, Qt::NoButton, Qt::NoModifier,
+                       Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&scene, &closer);
+    // The points bring a circle back that is drawn 2 cm too wide; with Shift it stays.
+    const double dbh_cm = dbh_of_tree(5);
+    drag_grip("rim_east", {0.02, 0, 0}, Qt::ShiftModifier);
+    QVERIFY(wait());
+    QVERIFY(std::abs(dbh_of_tree(5) - dbh_cm - 4) < 1);
+    window_->session().undo_stack().undo();
+    QVERIFY(wait());
+    drag_grip("rim_east", {0.02, 0, 0}, {});
+    QVERIFY(wait());
+    QVERIFY(std::abs(dbh_of_tree(5) - dbh_cm) < 0.5);
+    window_->session().undo_stack().undo();
+    QVERIFY(wait());
+    scene.zoom_to_tree(5);
+    // Moved with Shift, leaning east, 2 m taller: each is one step of undo, and the handles follow.
+    const Eigen::Vector2d place = place_of_tree(5);
+    drag_grip("place", {0.1, 0, 0}, Qt::ShiftModifier);
+    QVERIFY(wait());
+    QVERIFY(std::abs(place_of_tree(5).x() - place.x() - 0.1) < 0.02);
+    drag_grip("lean", {0.2, 0, 0}, {});
+    QVERIFY(wait());
+    QVERIFY(std::abs(number_of_tree(5, "lean_azimuth_deg") - 90) < 15);
+    QVERIFY(std::abs(number_of_tree(5, "lean_deg") - 9.5) < 1.5);
+    QCOMPARE(window_->session().undo_stack().undoText(), QString("tilt stem"));
+    trigger("view.all");
+    QTRY_VERIFY_WITH_TIMEOUT(scene.refined(), 20000);
+    const double top_m = grip("top").z();
+    drag_grip("top", {0, 0, 2}, {});
+    QVERIFY(wait());
+    QVERIFY(std::abs(grip("top").z() - top_m - 2) < 0.3);
+    QVERIFY(std::abs(number_of_tree(5, "height_m") - (grip("top").z() - number_of_tree(5, "z_m"))) < 0.02);
+    trigger("stem.handles");
+    QVERIFY(scene.drawings("stem_handles").empty());
+    while (window_->session().undo_stack().canUndo()) window_->session().undo_stack().undo();
+    QVERIFY(wait());
+    scene.reset_camera();
+  }
+
+  void single_decisions_are_taken_back() {
+    auto& list = *window_->findChild<QTreeWidget*>("decisions");
+    QCOMPARE(list.topLevelItemCount(), 0);
+    for (const int tree : {5, 4}) {
+      table().select_tree(tree);
+      trigger("stem.reject");
+      QVERIFY(wait());
+    }
+    table().select_tree(7);
+    QCOMPARE(list.topLevelItemCount(), 2);
+    QCOMPARE(list.topLevelItem(0)->text(0), QString("reject stem"));
+    QVERIFY(!list.topLevelItem(0)->text(3).isEmpty());  // the time
+    QVERIFY(!window_->commands().action("decisions.take_back")->isEnabled());
+    list.topLevelItem(0)->setSelected(true);
+    trigger("decisions.show");
+    QCOMPARE(window_->selection().tree().value_or(0), std::int64_t{5});
+    // The first goes, the second stays, and both are there again after one step back.
+    trigger("decisions.take_back");
+    QVERIFY(wait());
+    const auto state = [&](std::int64_t tree) { return window_->runner().survey().stems->text("state", row_of(tree)); };
+    QCOMPARE(list.topLevelItemCount(), 1);
+    QCOMPARE(QString::fromStdString(state(5)), QString("auto"));
+    QCOMPARE(QString::fromStdString(state(4)), QString("rejected"));
+    window_->session().undo_stack().undo();
+    QVERIFY(wait());
+    QCOMPARE(list.topLevelItemCount(), 2);
+    QCOMPARE(QString::fromStdString(state(5)), QString("rejected"));
+    while (window_->session().undo_stack().canUndo()) window_->session().undo_stack().undo();
+    QVERIFY(wait());
+  }
+
   void a_tree_is_added_by_drawing_a_circle() {
     auto& slice = window_->slice();
     const Eigen::Vector2d gone = place_of_tree(5), beside = place_of_tree(4);
@@ -268,12 +349,25 @@ class ViewsTest : public QObject {
     QVERIFY(wait());
   }
   std::size_t row_of(std::int64_t tree) { return window_->runner().survey().row_of(tree).value(); }
-  double dbh_of_tree(std::int64_t tree) { return window_->runner().survey().stems->numbers("dbh_cm")[row_of(tree)]; }
+  double number_of_tree(std::int64_t tree, const char* column) {
+    return window_->runner().survey().stems->numbers(column)[row_of(tree)];
+  }
+  double dbh_of_tree(std::int64_t tree) { return number_of_tree(tree, "dbh_cm"); }
   Eigen::Vector2d place_of_tree(std::int64_t tree) {
     const auto& stems = *window_->runner().survey().stems;
     return {stems.numbers("x_m")[row_of(tree)], stems.numbers("y_m")[row_of(tree)]};
   }
   void trigger(const char* id) { window_->commands().trigger(id); }
+  Eigen::Vector3d grip(const std::string& handle) {
+    for (const auto& drawing : window_->scene().drawings("stem_handles"))
+      if (drawing.id == handle) return drawing.grips.front();
+    throw std::runtime_error("no handle " + handle);
+  }
+  void drag_grip(const std::string& handle, const Eigen::Vector3d& by, Qt::KeyboardModifiers keys) {
+    auto& scene = window_->scene();
+    const Eigen::Vector3d from = grip(handle);
+    drag(scene, scene.place_of(from), scene.place_of(from + by), keys, [] {});
+  }
   template <class Check>
   void drag(QWidget& widget, const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys, Check check) {
     QTest::mousePress(&widget, Qt::LeftButton, keys, from);

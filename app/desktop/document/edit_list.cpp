@@ -1,6 +1,8 @@
 #include "document/edit_list.h"
 
 #include <QDateTime>
+#include <algorithm>
+#include <set>
 #include <string>
 
 #include "document/edit_words.h"
@@ -36,7 +38,87 @@ void add_to_list(Session& session, const char* port, Parse parse, const std::vec
   session.set_option(editor.id, edits_option, text, edit_words(more));
 }
 
+// Calls `act` with the port and the reader of each kind of edit.
+template <class Act>
+void for_each_kind(Act act) {
+  act(stems_port, stems::parse_stem_edits);
+  act(points_port, parse_point_edits);
+  act(rows_port, rows::parse_row_edits);
+  act(loops_port, slam::parse_loop_edits);
+  act(traits_port, plant::parse_plant_edits);
+}
+
+Eigen::Vector3d middle_of(const PointRegion& region) {
+  const auto mean = [](const std::vector<Eigen::Vector3d>& places) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const auto& p : places) sum += p;
+    return Eigen::Vector3d(sum / static_cast<double>(std::max<std::size_t>(places.size(), 1)));
+  };
+  switch (region.kind) {
+    case PointRegion::Kind::ball:
+      break;
+    case PointRegion::Kind::box:
+      return (region.min + region.max) / 2;
+    case PointRegion::Kind::outline:
+      return mean(region.outline);
+    case PointRegion::Kind::brush:
+      return mean(region.path);
+  }
+  return region.at;
+}
+
+void put_place(const stems::StemEdit& edit, EditEntry& entry) { entry.stem = edit.at; }
+void put_place(const PointEdit& edit, EditEntry& entry) { entry.place = middle_of(edit.region); }
+void put_place(const plant::PlantEdit& edit, EditEntry& entry) {
+  if (edit.action == plant::PlantEdit::Action::assign) entry.place = middle_of(edit.region);
+  if (edit.action == plant::PlantEdit::Action::set_base) entry.place = edit.at;
+}
+void put_place(const rows::RowEdit&, EditEntry&) {}
+void put_place(const slam::LoopEdit&, EditEntry&) {}
+
+template <class Edit>
+EditEntry entry_of(const char* port, std::size_t index, const Edit& edit) {
+  EditEntry entry;
+  entry.port = port;
+  entry.index = index;
+  entry.what = edit_words(std::vector<Edit>{edit});
+  entry.author = QString::fromStdString(edit.author);
+  entry.time = QString::fromStdString(edit.time);
+  entry.reason = QString::fromStdString(edit.reason);
+  put_place(edit, entry);
+  return entry;
+}
+
 }  // namespace
+
+std::vector<EditEntry> listed_edits(const Session& session) {
+  std::vector<EditEntry> entries;
+  if (!session.has_document()) return entries;
+  for_each_kind([&](const char* port, const auto& parse) {
+    const auto* editor = editor_of(session.document(), port);
+    if (editor == nullptr) return;
+    const auto edits = parse(std::get<std::string>(editor->options.get(edits_option)));
+    for (std::size_t i = 0; i < edits.size(); ++i) entries.push_back(entry_of(port, i, edits[i]));
+  });
+  return entries;
+}
+
+void remove_edits(Session& session, const std::vector<EditEntry>& entries) {
+  auto& undo = session.undo_stack();
+  undo.beginMacro(QObject::tr("take back decisions (%1)").arg(entries.size()));
+  for_each_kind([&](const char* port, const auto& parse) {
+    std::set<std::size_t> out;
+    for (const auto& entry : entries)
+      if (entry.port == port) out.insert(entry.index);
+    if (out.empty()) return;
+    const auto& editor = editor_or_refuse(session, port);
+    auto edits = parse(std::get<std::string>(editor.options.get(edits_option)));
+    std::size_t index = 0;
+    std::erase_if(edits, [&](const auto&) { return out.contains(index++); });
+    session.set_option(editor.id, edits_option, to_json(edits));
+  });
+  undo.endMacro();
+}
 
 void add_edits(Session& session, const std::vector<stems::StemEdit>& edits) {
   add_to_list(session, stems_port, stems::parse_stem_edits, edits);

@@ -1,6 +1,9 @@
 // Edits that a person makes are a list in the option `edits` of a stage of the document.
 #pragma once
 
+#include <QString>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "cloud/core/regions/point_edits.h"
@@ -19,6 +22,21 @@ void add_edits(Session& session, const std::vector<rows::RowEdit>& edits);
 void add_edits(Session& session, const std::vector<plant::PlantEdit>& edits);
 void add_edits(Session& session, const std::vector<slam::LoopEdit>& edits);
 void add_edits(Session& session, const std::vector<PointEdit>& edits);
+
+// One edit that the document holds.
+struct EditEntry {
+  std::string port;                      // of the stage that applies it: "stems", "rows", "point_edits", ...
+  std::size_t index = 0;                 // in the list of that stage
+  QString what;                          // in words
+  std::optional<Eigen::Vector2d> stem;   // the place of the stem that is meant, metres in the axes of the stems
+  std::optional<Eigen::Vector3d> place;  // of the points that are meant, metres in world axes
+  QString author, time, reason;
+};
+
+// Of all stages, each list in the order in which it is applied.
+std::vector<EditEntry> listed_edits(const Session& session);
+// Takes edits out of their lists, as one step of undo.
+void remove_edits(Session& session, const std::vector<EditEntry>& entries);
 
 // Throw bole::Error when the document has no stage that takes such edits.
 void check_stems_can_be_edited(const Session& session);

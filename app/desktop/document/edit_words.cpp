@@ -30,6 +30,8 @@ QString stem_action_words(stems::StemEdit::Action action) {
       return QObject::tr("note on stem");
     case set_species:
       return QObject::tr("set species");
+    case tilt:
+      return QObject::tr("tilt stem");
   }
   return {};
 }

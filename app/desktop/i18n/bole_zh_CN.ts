@@ -136,6 +136,14 @@
             <translation>设置树种</translation>
         </message>
         <message>
+            <source>tilt stem</source>
+            <translation>倾斜单木</translation>
+        </message>
+        <message>
+            <source>take back decisions (%1)</source>
+            <translation>撤回决定 (%1)</translation>
+        </message>
+        <message>
             <source>change row</source>
             <translation>修改行</translation>
         </message>
@@ -1541,6 +1549,37 @@
         </message>
     </context>
     <context>
+        <name>bole::desktop::StemHandles</name>
+        <message>
+            <source>Handles on the stem in the 3-D view</source>
+            <translation>三维视图中的树干控制点</translation>
+        </message>
+        <message>
+            <source>Drag the middle, the rim, the lean or the top. The points correct the circle; with Shift it stays as it was drawn.</source>
+            <translation>拖动中心、边缘、倾斜或树顶。点会修正圆;按住 Shift 则保持所画的圆。</translation>
+        </message>
+        <message>
+            <source>Drag the middle, the rim, the lean or the top of the stem.</source>
+            <translation>拖动树干的中心、边缘、倾斜或树顶。</translation>
+        </message>
+        <message>
+            <source>drawn %1</source>
+            <translation>所画 %1</translation>
+        </message>
+        <message>
+            <source>fit %1</source>
+            <translation>拟合 %1</translation>
+        </message>
+        <message>
+            <source>no circle fits the points here</source>
+            <translation>此处没有与点拟合的圆</translation>
+        </message>
+        <message>
+            <source>leans %1°</source>
+            <translation>倾斜 %1°</translation>
+        </message>
+    </context>
+    <context>
         <name>bole::desktop::StemReview</name>
         <message>
             <source>Next doubtful stem</source>
@@ -1815,6 +1854,50 @@
     </context>
     <context>
         <name>bole::desktop::Workbench</name>
+        <message>
+            <source>Decision</source>
+            <translation>决定</translation>
+        </message>
+        <message>
+            <source>Place</source>
+            <translation>位置</translation>
+        </message>
+        <message>
+            <source>By</source>
+            <translation>由</translation>
+        </message>
+        <message>
+            <source>At</source>
+            <translation>时间</translation>
+        </message>
+        <message>
+            <source>Reason</source>
+            <translation>原因</translation>
+        </message>
+        <message>
+            <source>Decisions</source>
+            <translation>决定列表</translation>
+        </message>
+        <message>
+            <source>Choose decisions in the list.</source>
+            <translation>请先在列表中选择决定。</translation>
+        </message>
+        <message>
+            <source>Take back the chosen decisions</source>
+            <translation>撤回所选决定</translation>
+        </message>
+        <message>
+            <source>Go to its place</source>
+            <translation>转到其位置</translation>
+        </message>
+        <message>
+            <source>This decision has no place.</source>
+            <translation>此决定没有位置。</translation>
+        </message>
+        <message>
+            <source>No stem stands there any more.</source>
+            <translation>那里已没有树干。</translation>
+        </message>
         <message>
             <source>While a field is trained its curve is shown here.</source>
             <translation>训练辐射场时，此处显示其曲线。</translation>

@@ -1,9 +1,23 @@
 #include "views/scene_drawing.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace bole::desktop {
+
+std::vector<Eigen::Vector3d> ring_about(const Eigen::Vector3d& middle, const Eigen::Vector3d& normal, double radius_m) {
+  constexpr int sides = 24;
+  const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
+  std::vector<Eigen::Vector3d> corners;
+  for (int i = 0; i <= sides; ++i) {
+    const double a = 2 * std::numbers::pi * i / sides;
+    corners.emplace_back(middle + radius_m * (std::cos(a) * u + std::sin(a) * v));
+  }
+  return corners;
+}
 
 void add_to(render::ViewFurniture& furniture, const SceneDrawing& drawing, const render::PickView& view,
             double sheet_mm_per_px) {

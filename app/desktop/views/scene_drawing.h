@@ -24,6 +24,9 @@ struct SceneDrawing {
   bool warning = false;  // something is doubtful here
 };
 
+// A closed line about `middle`, across the unit `normal`.
+std::vector<Eigen::Vector3d> ring_about(const Eigen::Vector3d& middle, const Eigen::Vector3d& normal, double radius_m);
+
 // Projects a drawing and adds it; `sheet_mm_per_px` of the view's pixels.
 void add_to(render::ViewFurniture& furniture, const SceneDrawing& drawing, const render::PickView& view,
             double sheet_mm_per_px);

@@ -120,18 +120,23 @@ void SceneView::take_outline() {
   if (outline.corners.size() >= 3) Q_EMIT outline_taken(outline);
 }
 
+// The nearest one.
 std::optional<Grip> SceneView::grip_at(const QPoint& at) {
   const auto view = pick_view();
   const auto px = to_pixels(at);
+  double nearest_px = grip_px * devicePixelRatioF();
+  std::optional<Grip> found;
   for (const auto& [layer, drawings] : drawings_)
     for (std::size_t d = 0; d < drawings.size(); ++d) {
       if (!drawings[d].strong) continue;
       for (std::size_t g = 0; g < drawings[d].grips.size(); ++g)
         if (const auto place = render::on_screen(view, drawings[d].grips[g]);
-            place && (place->px - px).norm() <= grip_px * devicePixelRatioF())
-          return Grip{layer, d, g, drawings[d].grips[g], drawings[d].id, drawings[d].rail};
+            place && (place->px - px).norm() <= nearest_px) {
+          nearest_px = (place->px - px).norm();
+          found = Grip{layer, d, g, drawings[d].grips[g], drawings[d].id, drawings[d].rail};
+        }
     }
-  return {};
+  return found;
 }
 
 bool SceneView::click_drawing(const QPoint& at) {
@@ -213,6 +218,7 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
       setCursor(grip_at(event->pos()) ? Qt::SizeAllCursor : Qt::ArrowCursor);
     return QVTKOpenGLNativeWidget::mouseMoveEvent(event);
   }
+  drag_keys_ = event->modifiers();
   if (const auto at = dragged_to(*dragged_, pick_view(), to_pixels(event->pos())))
     Q_EMIT grip_dragged(QString::fromStdString(dragged_->layer), static_cast<int>(dragged_->drawing),
                         static_cast<int>(dragged_->grip), *at, false);
@@ -225,6 +231,7 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     const auto grip = *std::exchange(dragged_, std::nullopt);
     const auto at = dragged_to(grip, pick_view(), to_pixels(event->pos()));
     const bool moved = (event->pos() - pressed_at_).manhattanLength() > click_px;
+    drag_keys_ = event->modifiers();
     Q_EMIT grip_dragged(QString::fromStdString(grip.layer), static_cast<int>(grip.drawing), static_cast<int>(grip.grip),
                         moved && at ? *at : grip.at, true);
     return;

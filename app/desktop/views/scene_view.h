@@ -93,6 +93,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   // Points of the survey that stand out until others do, or another survey is shown. At most 300 000 are drawn.
   void mark_points(const std::vector<std::uint32_t>& points);
 
+  Qt::KeyboardModifiers drag_keys() const { return drag_keys_; }  // that are held while a grip is dragged
+
   // What lies over the picture, one list for each layer ("rows", "measurements").
   void set_drawings(const std::string& layer, std::vector<SceneDrawing> drawings);
   const std::vector<SceneDrawing>& drawings(const std::string& layer) const;
@@ -228,6 +230,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   QPoint pressed_at_;
   bool double_clicked_ = false;  // the release that follows picks nothing
   std::optional<Grip> dragged_;
+  Qt::KeyboardModifiers drag_keys_;
 };
 
 }  // namespace bole::desktop

@@ -7,6 +7,7 @@
 
 #include "base/angles.h"
 #include "document/cell_words.h"
+#include "document/stem_circle.h"
 #include "look/pixels.h"
 #include "look/text_lines.h"
 #include "render/charts/columns.h"
@@ -17,17 +18,7 @@ namespace {
 
 constexpr double reasons_margin_mm = 3;
 constexpr std::size_t max_reason_lines = 3;
-constexpr double circle_grip_px = 8, min_radius_m = 0.01, max_radius_m = 2.5;
-constexpr double start_error_m = 0.05, max_sigma_m = 0.025,
-                 same_height_m = 0.05;  // of the fit: as stems.edit fits an added stem
-
-std::vector<Eigen::Vector2d> points_near(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& centre,
-                                         double radius_m) {
-  std::vector<Eigen::Vector2d> near;
-  for (const auto& p : points)
-    if (std::abs((p - centre).norm() - radius_m) < 2 * start_error_m) near.push_back(p);
-  return near;
-}
+constexpr double circle_grip_px = 8, same_height_m = 0.05;
 
 // What a person decided; empty for what the program found.
 QString decision(const std::string& state) {
@@ -116,8 +107,7 @@ void SliceView::reload(bool keep_view) {
 void SliceView::fit_here() {
   here_.reset();
   if (!data_.stem || std::abs(cut_.height_m - cut_.breast_height_m) < same_height_m) return;
-  here_ = stems::robust_circle(points_near(data_.points, data_.stem->centre, data_.stem->radius_m),
-                               {data_.stem->centre, data_.stem->radius_m}, start_error_m, max_sigma_m);
+  here_ = circle_near(data_.points, *data_.stem);
 }
 
 void SliceView::write_lines() {
@@ -210,10 +200,9 @@ void SliceView::drag_to(const Eigen::Vector2d& metres) {
     drawn.radius_m = (metres - pressed_).norm();
     drawn.tree_id = 0;
   }
-  drawn.radius_m = std::clamp(drawn.radius_m, min_radius_m, max_radius_m);
+  drawn.radius_m = std::clamp(drawn.radius_m, min_drawn_radius_m, max_drawn_radius_m);
   data_.drawn = drawn;
-  fit_ = stems::robust_circle(points_near(data_.points, drawn.centre, drawn.radius_m), {drawn.centre, drawn.radius_m},
-                              start_error_m, max_sigma_m);
+  fit_ = circle_near(data_.points, drawn);
   data_.refit.reset();
   if (fit_) data_.refit = render::SliceCircle{drawn.tree_id, fit_->circle.centre, fit_->circle.radius, 0, 0};
   write_lines();
@@ -231,27 +220,14 @@ void SliceView::mouseMoveEvent(QMouseEvent* event) {
 
 std::vector<stems::StemEdit> SliceView::edits_of(const render::SliceCircle& circle) const {
   const Eigen::Vector2d centre = circle.centre + middle_;
-  stems::StemEdit edit;
   if (grip_ == Grip::add) {
+    stems::StemEdit edit;
     edit.action = stems::StemEdit::Action::add;
     edit.at = centre;
     edit.dbh_cm = 200 * circle.radius_m;
     return {edit};
   }
-  std::vector<stems::StemEdit> edits;
-  edit.at = stem_->foot.head<2>();
-  if ((centre - edit.at).norm() > 0.0005) {
-    edit.action = stems::StemEdit::Action::move;
-    edit.to = centre;
-    edits.push_back(edit);
-    edit = stems::StemEdit();
-    edit.at = centre;
-  }
-  edit.action = stems::StemEdit::Action::resize;
-  edit.dbh_cm = 200 * circle.radius_m;
-  edit.was_dbh_cm = 100 * stem_->dbh_m;
-  edits.push_back(edit);
-  return edits;
+  return circle_edits(*stem_, centre, circle.radius_m);
 }
 
 // The fit is taken; with Shift the circle as it was drawn.

@@ -56,6 +56,31 @@ std::int64_t points_of(const EditedStems& e, std::int32_t id) {
   return std::ranges::count(e.points->values<std::int32_t>(arrays::tree_id), id);
 }
 
+TEST(ApplyEdits, ATiltedStemTurnsAboutBreastHeight) {
+  auto s = stand();
+  s.sections.set("x_m", std::vector<double>{0, 0, 5, 5.4}), s.sections.set("y_m", std::vector<double>(4, 0.0));
+  s.sections.set("z_m", std::vector<double>{1.3, 3.3, 1.3, 1.3});
+  s.stems.set("base_x_m", std::vector<double>{0, 5, 5.4}), s.stems.set("base_y_m", std::vector<double>(3, 0.0));
+  const auto e = edited(s, R"([{"action": "tilt", "at": [0, 0], "lean_deg": 45, "lean_azimuth_deg": 90}])");
+  EXPECT_EQ(e.report.counts.at("conflicts"), 0);
+  EXPECT_DOUBLE_EQ(e.stems.numbers("lean_deg")[0], 45);
+  EXPECT_DOUBLE_EQ(e.stems.numbers("lean_azimuth_deg")[0], 90);
+  EXPECT_TRUE(std::isnan(e.stems.numbers("lean_deg")[1]));  // not known of the others
+  EXPECT_DOUBLE_EQ(e.stems.numbers("x_m")[0], 0);
+  EXPECT_NEAR(e.stems.numbers("base_x_m")[0], -1.3, 1e-9);
+  EXPECT_NEAR(e.sections.numbers("x_m")[0], 0, 1e-9);
+  EXPECT_NEAR(e.sections.numbers("x_m")[1], 2, 1e-9);  // two metres higher, leaning east
+  EXPECT_NEAR(e.sections.numbers("y_m")[1], 0, 1e-9);
+  EXPECT_EQ(e.sections.numbers("x_m")[2], 5);
+  EXPECT_EQ(e.stems.numbers("dbh_cm")[0], 20);
+  EXPECT_EQ(e.stems.text("state", 0), "edited");
+  // Back upright: as it was.
+  const auto again = edited(s, R"([{"action": "tilt", "at": [0, 0], "lean_deg": 45, "lean_azimuth_deg": 90},
+                                   {"action": "tilt", "at": [0, 0], "lean_deg": 0, "lean_azimuth_deg": 0}])");
+  EXPECT_NEAR(again.sections.numbers("x_m")[1], 0, 1e-9);
+  EXPECT_NEAR(again.stems.numbers("base_x_m")[0], 0, 1e-9);
+}
+
 TEST(ApplyEdits, NoEditsChangeNothing) {
   const auto s = stand();
   const auto e = edited(s, "[]");

@@ -21,7 +21,9 @@ constexpr const char* all_actions = R"([
   {"action": "merge", "at": [5, 5], "with": [[5.2, 5], [5.1, 5.1]]},
   {"action": "accept", "at": [6, 6], "was_dbh_cm": 20},
   {"action": "reject", "at": [7, 7]},
-  {"action": "note", "at": [8, 8], "text": "bark beetle"}
+  {"action": "note", "at": [8, 8], "text": "bark beetle"},
+  {"action": "set_species", "at": [8, 8], "species": "Picea abies"},
+  {"action": "tilt", "at": [9, 9], "lean_deg": 4.5, "lean_azimuth_deg": 270}
 ])";
 
 std::string trouble_with(const std::string& json) {
@@ -35,11 +37,13 @@ std::string trouble_with(const std::string& json) {
 
 TEST(StemEdits, GoThroughJsonUnchanged) {
   const auto edits = parse_stem_edits(all_actions);
-  ASSERT_EQ(edits.size(), 10U);
+  ASSERT_EQ(edits.size(), 12U);
   EXPECT_EQ(edits[0].author, "A. Smith");
   EXPECT_EQ(*edits[3].dbh_cm, 30.125);
   EXPECT_EQ(edits[5].into[1].dbh_cm, 12);
   EXPECT_EQ(edits[6].with[1], Eigen::Vector2d(5.1, 5.1));
+  EXPECT_EQ(edits[11].lean_deg, 4.5);
+  EXPECT_EQ(edits[11].lean_azimuth_deg, 270);
   const auto text = to_json(edits);
   EXPECT_EQ(to_json(parse_stem_edits(text)), text);
   EXPECT_EQ(parse_stem_edits("[]").size(), 0U);
@@ -53,6 +57,8 @@ TEST(StemEdits, WhatCannotBeMeantIsRefusedByNumber) {
   EXPECT_THAT(trouble_with(R"([{"action": "resize", "at": [0, 0]}])"), HasSubstr("resize without dbh_cm"));
   EXPECT_THAT(trouble_with(R"([{"action": "resize", "dbh_cm": 3}])"), HasSubstr("without at"));
   EXPECT_THAT(trouble_with(R"([{"action": "resize", "at": [0, 0], "dbh_cm": -3}])"), HasSubstr("dbh_cm is -3"));
+  EXPECT_THAT(trouble_with(R"([{"action": "tilt", "at": [0, 0], "lean_deg": 90, "lean_azimuth_deg": 0}])"),
+              HasSubstr("lean_deg is 90"));
   EXPECT_THAT(trouble_with(R"([{"action": "accept", "at": [0, 0], "dbh_cm": 3}])"),
               HasSubstr("does not take 'dbh_cm'"));
   EXPECT_THAT(trouble_with(R"([{"action": "move", "at": [0, 0], "to": [1]}])"), HasSubstr("[x, y]"));

@@ -1,5 +1,5 @@
 // What a person changes in stems: diameter, height, state and notes of the selected one, circles moved in the slice,
-// stems added and deleted. All of it becomes edits of the document.
+// handles in the 3-D view, stems added and deleted. All of it becomes edits of the document.
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QInputDialog>
@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "document/edit_list.h"
+#include "features/stem_edit/stem_handles.h"
 #include "panels/table_panel.h"
 #include "views/slice_view.h"
 #include "workbench/workbench.h"
@@ -118,6 +119,7 @@ void install_stem_edit(Workbench& bench) {
                                 .place = in_context("stem", 2),
                                 .fill = [b](QMenu& menu) { b->stems().fill_column_menu(menu); }});
   bench.commands().give_context_menu(bench.stems(), "stem");
+  new StemHandles(bench);
   QObject::connect(&bench.slice(), &SliceView::edits_requested, b, [b](const std::vector<stems::StemEdit>& edits) {
     b->guarded([&] { add_edits(b->session(), edits); });
   });

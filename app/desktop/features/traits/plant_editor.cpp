@@ -33,17 +33,6 @@ plant::PlantEdit plant_edit(PlantAction action) {
   return edit;
 }
 
-std::vector<Eigen::Vector3d> height_ring(const Eigen::Vector3d& middle, const Eigen::Vector3d& up, double radius) {
-  constexpr int sides = 24;
-  const Eigen::Vector3d u = up.unitOrthogonal(), v = up.cross(u);
-  std::vector<Eigen::Vector3d> corners;
-  for (int i = 0; i <= sides; ++i) {
-    const double a = 2 * std::numbers::pi * i / sides;
-    corners.emplace_back(middle + radius * (std::cos(a) * u + std::sin(a) * v));
-  }
-  return corners;
-}
-
 }  // namespace
 
 PlantEditor::PlantEditor(Workbench& bench, PlantForm& form) : QObject(&bench), bench_(bench), form_(form) {
@@ -298,7 +287,7 @@ void PlantEditor::draw() {
     SceneDrawing height;
     height.id = height_id.toStdString();
     const Eigen::Vector3d on_stem = stem_at(height_mm_ / 1000);
-    height.lines = {height_ring(on_stem, places_.up, min_ring_m), {*base_, on_stem}};
+    height.lines = {ring_about(on_stem, places_.up, min_ring_m), {*base_, on_stem}};
     height.grips = {on_stem};
     height.rail = places_.up;
     if (std::abs(height_mm_ - stem_height_mm()) > 0.05) {  // while it is dragged

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/angles.h"
 #include "base/arrays.h"
 #include "base/no_number.h"
+#include "cloud/breast_height.h"
 #include "cloud/edit_list.h"
 #include "stems/core/edits/edited_points.h"
 #include "stems/core/edits/plot_numbers.h"
@@ -143,6 +145,9 @@ class Editor {
       case Action::set_species:
         stems_.want_texts("species");
         return stems_.set(row, "species", edit.species);
+      case Action::tilt:
+        tilt(row, *edit.lean_deg, *edit.lean_azimuth_deg);
+        return decided(row, "edited");
       default:
         stems_.set(row, "note", edit.text);
     }
@@ -175,9 +180,34 @@ class Editor {
   // The stem stands elsewhere, and what was measured of it with it.
   void move_sections(std::size_t row, const Vector2d& shift) {
     for (std::size_t i = 0; i < sections_.size(); ++i)
-      if (sections_.integer(i, "tree_id") == id_of(row))
-        sections_.set(i, "x_m", sections_.number(i, "x_m") + shift.x()),
-            sections_.set(i, "y_m", sections_.number(i, "y_m") + shift.y());
+      if (sections_.integer(i, "tree_id") == id_of(row)) shift_section(i, shift);
+  }
+
+  // Metres in plan per metre upwards; upright where the lean is not known.
+  static Vector2d slope_of(double lean_deg, double azimuth_deg) {
+    if (!std::isfinite(lean_deg + azimuth_deg)) return Vector2d::Zero();
+    const double azimuth = radians(azimuth_deg);
+    return std::tan(radians(lean_deg)) * Vector2d(std::sin(azimuth), std::cos(azimuth));
+  }
+
+  // The stem turns about its place at breast height, and keeps its diameters.
+  void tilt(std::size_t row, double lean_deg, double azimuth_deg) {
+    for (const char* name : {"lean_deg", "lean_azimuth_deg"}) stems_.want_numbers(name);
+    const Vector2d slope = slope_of(lean_deg, azimuth_deg),
+                   change = slope - slope_of(stems_.number(row, "lean_deg"), stems_.number(row, "lean_azimuth_deg"));
+    const double breast_m = breast_height_m(*in_.stems), middle_m = stems_.number(row, "z_m") + breast_m;
+    for (std::size_t i = 0; i < sections_.size(); ++i) {
+      const Vector2d shift = (sections_.number(i, "z_m") - middle_m) * change;
+      if (sections_.integer(i, "tree_id") == id_of(row) && shift.allFinite()) shift_section(i, shift);
+    }
+    const Vector2d base = place_of(row) - breast_m * slope;
+    stems_.set(row, "base_x_m", base.x()), stems_.set(row, "base_y_m", base.y());
+    stems_.set(row, "lean_deg", lean_deg), stems_.set(row, "lean_azimuth_deg", azimuth_deg);
+  }
+
+  void shift_section(std::size_t i, const Vector2d& shift) {
+    sections_.set(i, "x_m", sections_.number(i, "x_m") + shift.x());
+    sections_.set(i, "y_m", sections_.number(i, "y_m") + shift.y());
   }
 
   void forget_sections(std::size_t row) {

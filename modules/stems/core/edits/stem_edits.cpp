@@ -11,8 +11,8 @@ namespace {
 using Action = StemEdit::Action;
 
 // In the order of StemEdit::Action.
-const std::array<EditAction, 11>& actions() {
-  static const std::array<EditAction, 11> table{{
+const std::array<EditAction, 12>& actions() {
+  static const std::array<EditAction, 12> table{{
       {"add", {"at"}, {"dbh_cm", "height_m"}},
       {"delete", {"at"}, {}},
       {"move", {"at", "to"}, {}},
@@ -24,9 +24,12 @@ const std::array<EditAction, 11>& actions() {
       {"reject", {"at"}, {}},
       {"note", {"at", "text"}, {}},
       {"set_species", {"at", "species"}, {}},
+      {"tilt", {"at", "lean_deg", "lean_azimuth_deg"}, {}},
   }};
   return table;
 }
+
+constexpr double max_lean_deg = 80;  // what leans more lies on the ground
 
 constexpr std::array<std::string_view, 1> common_keys{"was_dbh_cm"};
 
@@ -50,6 +53,8 @@ void read_key(StemEdit& edit, const std::string& key, const EditJson& value) {
     for (const auto& place : edit_list(value, key, 1)) edit.with.push_back(edit_place(place, key));
   if (key == "text") edit.text = edit_text(value, key);
   if (key == "species") edit.species = edit_text(value, key);
+  if (key == "lean_deg") edit.lean_deg = edit_number(value, key, 0, max_lean_deg);
+  if (key == "lean_azimuth_deg") edit.lean_azimuth_deg = edit_number(value, key, 0, 360);
 }
 
 EditJson object_of(const StemEdit& edit) {
@@ -62,6 +67,8 @@ EditJson object_of(const StemEdit& edit) {
   for (const auto& p : edit.with) o["with"].push_back(edit_json(p));
   if (edit.action == Action::note) o["text"] = edit.text;
   if (edit.action == Action::set_species) o["species"] = edit.species;
+  if (edit.lean_deg) o["lean_deg"] = *edit.lean_deg;
+  if (edit.lean_azimuth_deg) o["lean_azimuth_deg"] = *edit.lean_azimuth_deg;
   put_edit_record(o, edit);
   return o;
 }

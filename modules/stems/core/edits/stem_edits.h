@@ -13,7 +13,7 @@ namespace bole::stems {
 
 // `at`, `to`, `with` and `into` are plan positions at breast height in the axes of the stems, metres.
 struct StemEdit : EditRecord {
-  enum class Action { add, remove, move, resize, set_height, split, merge, accept, reject, note, set_species };
+  enum class Action { add, remove, move, resize, set_height, split, merge, accept, reject, note, set_species, tilt };
   struct Part {
     Eigen::Vector2d at = Eigen::Vector2d::Zero();
     double dbh_cm = 0;
@@ -29,6 +29,8 @@ struct StemEdit : EditRecord {
   std::vector<Eigen::Vector2d> with;             // merge: the other stems
   std::string text;                              // note
   std::string species;                           // set_species
+  // tilt: from the vertical, and the direction that the stem leans towards, clockwise from north
+  std::optional<double> lean_deg, lean_azimuth_deg;
 };
 
 std::string_view action_name(StemEdit::Action action);  // "add", "delete", ...
