@@ -30,4 +30,6 @@ ln -sf -t "$folder/usr/bin" "$programs"/pvpython* /usr/bin/pv* /usr/bin/paraview
 ln -sfn /usr/include "$folder/usr/include"
 find "/usr/lib/$arch" -mindepth 1 -maxdepth 1 ! -name cmake -exec ln -sfn -t "$folder/usr/lib/$arch" {} +
 cp -r "/usr/lib/$arch/cmake/paraview-5.11" "$folder/usr/lib/$arch/cmake/"
+# What the wrappers of ParaView's VTK know of its classes, in place of that of libvtk9-dev.
+[ "$python" = /usr/lib/python3/dist-packages ] || ln -sfn "$folder/python/usr/lib/$arch/vtk" "$folder/usr/lib/$arch/vtk"
 ln -sfn "$python" "$folder/usr/lib/python3/dist-packages"

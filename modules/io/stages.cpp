@@ -151,6 +151,10 @@ pipeline::StageType read_cloud_stage() {
     const auto& o = options.as<ReadCloudOptions>();
     return cloud_result(see_cloud(o.file, o, run));
   };
+  type.run_piece = [](const Piece& piece, const OptionSet& options, const Run& run) {
+    const auto& o = options.as<ReadCloudOptions>();
+    return cloud_result({read_piece(o.file, piece, o, run), {}});
+  };
   type.take = [](const Data& given, const OptionSet& options, const Run& run) {
     const auto& cloud = *std::get<std::shared_ptr<const PointCloud>>(given);
     return cloud_result(see_cloud(cloud, options.as<ReadCloudOptions>(), run));

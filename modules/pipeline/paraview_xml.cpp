@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <utility>
 
+#include "base/core/path_list.h"
 #include "base/markup.h"
 #include "base/option_text.h"
 
@@ -26,8 +28,12 @@ std::string range_domain(const OptionSpec& spec, std::string_view element) {
   return domain + "/>\n";
 }
 
+// Lists of paths are one text, with commas; a dialog would give one path.
 std::string text_domain(const OptionSpec& spec) {
-  if (spec.text_kind == TextKind::input_path) return "        <FileListDomain name=\"files\"/>\n";
+  if (spec.text_kind == TextKind::input_path && !is_path_list(spec)) {
+    const std::string files = "        <FileListDomain name=\"files\"/>\n";
+    return spec.name != "folder" ? files : files + "        <Hints>\n          <UseDirectoryName/>\n        </Hints>\n";
+  }
   if (spec.text_kind != TextKind::choice) return {};
   std::string domain = "        <StringListDomain name=\"choices\">\n";
   for (const auto& choice : spec.choices) domain += "          <String" + attribute("value", choice) + "/>\n";
@@ -42,11 +48,9 @@ std::string option_property(const OptionSpec& spec) {
   const std::string element = is_text     ? "StringVectorProperty"
                               : is_number ? "DoubleVectorProperty"
                                           : "IntVectorProperty";
-  const std::string unit(unit_symbol(spec.unit));
   const std::string value =
       is_bool ? (std::get<bool>(spec.default_value) ? "1" : "0") : option_text(spec.default_value);
-  std::string xml = "      <" + element + attribute("name", spec.name) +
-                    attribute("label", spec.name + (unit.empty() ? "" : " (" + unit + ")")) +
+  std::string xml = "      <" + element + attribute("name", spec.name) + attribute("label", paraview_label(spec)) +
                     attribute("command", "SetOption");
   xml += attribute("initial_string", spec.name) + attribute("number_of_elements", "1") +
          attribute("default_values", value) +
@@ -64,26 +68,62 @@ std::string_view data_type(DataKind kind) {
   return "vtkPolyData";
 }
 
+// What a stage can read: what other programs give as points is not always vtkPolyData.
+std::string_view input_type(DataKind kind) {
+  return kind == DataKind::cloud || kind == DataKind::trajectory ? "vtkPointSet" : data_type(kind);
+}
+
 std::string input_property(const Port& port, std::size_t index) {
   std::string xml = "      <InputProperty" + attribute("name", port.name) +
-                    attribute("port_index", std::to_string(index)) + attribute("command", "SetInputConnection") + ">\n";
+                    attribute("port_index", std::to_string(index)) + attribute("command", "SetInputConnection") +
+                    (port.optional ? attribute("null_on_empty", "1") : "") + ">\n";
   xml +=
       "        <ProxyGroupDomain name=\"groups\">\n          <Group name=\"sources\"/>\n          <Group "
       "name=\"filters\"/>\n        </ProxyGroupDomain>\n";
   xml += "        <DataTypeDomain name=\"input_type\">\n          <DataType" +
-         attribute("value", data_type(port.kind)) + "/>\n        </DataTypeDomain>\n";
+         attribute("value", input_type(port.kind)) + "/>\n        </DataTypeDomain>\n";
   xml += documentation(port.help);
   if (port.optional) xml += "        <Hints>\n          <Optional/>\n        </Hints>\n";
   return xml + "      </InputProperty>\n";
 }
 
-std::string proxy(const StageType& type) {
+// What other programs may ask of any stage, and the folder of those that write files.
+std::string further_properties(const StageType& type) {
+  std::string xml;
+  if (type.writes_files)
+    xml +=
+        "      <StringVectorProperty name=\"OutputDirectory\" command=\"SetOutputDirectory\" "
+        "number_of_elements=\"1\" default_values=\"\">\n        <FileListDomain name=\"files\"/>\n"
+        "        <Hints>\n          <UseDirectoryName/>\n        </Hints>\n" +
+        documentation("Folder that the files are written into.") + "      </StringVectorProperty>\n";
+  xml +=
+      "      <StringVectorProperty name=\"Report\" command=\"GetReportJSON\" information_only=\"1\" "
+      "number_of_elements=\"1\">\n" +
+      documentation("Counts, measures and findings of the last run, as JSON.") + "      </StringVectorProperty>\n";
+  if (std::ranges::any_of(type.outputs,
+                          [](const Port& p) { return p.kind == DataKind::frames || p.kind == DataKind::views; }))
+    xml +=
+        "      <DoubleVectorProperty name=\"TimestepValues\" information_only=\"1\" repeatable=\"1\">\n        "
+        "<TimeStepsInformationHelper/>\n      </DoubleVectorProperty>\n";
+  return xml;
+}
+
+std::string hints(const OpenedFiles* opened) {
+  std::string xml = "      <Hints>\n        <ShowInMenu category=\"Bole\"/>\n";
+  if (opened != nullptr)
+    xml += "        <ReaderFactory" + attribute("extensions", opened->extensions) +
+           attribute("file_description", opened->description) + "/>\n";
+  return xml + "      </Hints>\n";
+}
+
+std::string proxy(const StageType& type, const OpenedFiles* opened) {
   const std::string class_name = type.vtk_class.empty() ? "vtkBoleStage" : type.vtk_class;
   std::string name = "Bole_" + type.name;
   std::ranges::replace(name, '.', '_');
   std::string xml = "    <SourceProxy" + attribute("name", name) + attribute("class", class_name) +
                     attribute("label", type.title) + ">\n";
-  xml += "      <Documentation" + attribute("short_help", type.title) + ">" + escaped(type.help) + "</Documentation>\n";
+  xml += "      <Documentation" + attribute("short_help", type.title) + attribute("long_help", type.help) + ">" +
+         escaped(type.help) + "</Documentation>\n";
   if (class_name == "vtkBoleStage")
     xml += "      <StringVectorProperty name=\"StageType\" command=\"SetStageType\" number_of_elements=\"1\"" +
            attribute("default_values", type.name) + " panel_visibility=\"never\"/>\n";
@@ -92,20 +132,33 @@ std::string proxy(const StageType& type) {
   for (std::size_t i = 0; i < type.outputs.size(); ++i)
     xml += "      <OutputPort" + attribute("name", type.outputs[i].name) + attribute("index", std::to_string(i)) +
            attribute("id", "port" + std::to_string(i)) + "/>\n";
-  if (std::ranges::any_of(type.outputs,
-                          [](const Port& p) { return p.kind == DataKind::frames || p.kind == DataKind::views; }))
-    xml +=
-        "      <DoubleVectorProperty name=\"TimestepValues\" information_only=\"1\" repeatable=\"1\">\n        "
-        "<TimeStepsInformationHelper/>\n      </DoubleVectorProperty>\n";
-  xml += "      <Hints>\n        <ShowInMenu category=\"Bole\"/>\n      </Hints>\n";
-  return xml + "    </SourceProxy>\n";  // ParaView's element for filters as well
+  return xml + further_properties(type) + hints(opened) + "    </SourceProxy>\n";  // ParaView's element for filters too
 }
 
 }  // namespace
 
-std::string paraview_xml(const StageRegistry& registry) {
+std::string paraview_label(const OptionSpec& spec) {
+  std::string text;
+  for (std::size_t begin = 0; begin <= spec.name.size();) {
+    const auto end = std::min(spec.name.find('_', begin), spec.name.size());
+    std::string word = spec.name.substr(begin, end - begin);
+    constexpr std::array capitals{"dbh", "crs", "imu"};
+    const bool all = std::ranges::find(capitals, word) != capitals.end();
+    for (std::size_t i = 0; i < (all ? word.size() : text.empty() ? 1 : 0) && i < word.size(); ++i)
+      word[i] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[i])));
+    text += (text.empty() ? "" : " ") + word;
+    begin = end + 1;
+  }
+  const auto unit = unit_symbol(spec.unit);
+  return unit.empty() ? text : text + " (" + std::string(unit) + ")";
+}
+
+std::string paraview_xml(const StageRegistry& registry, const std::map<std::string, OpenedFiles>& opened) {
   std::string sources, filters;
-  for (const auto* type : registry.all()) (type->inputs.empty() ? sources : filters) += proxy(*type);
+  for (const auto* type : registry.all()) {
+    const auto files = opened.find(type->name);
+    (type->inputs.empty() ? sources : filters) += proxy(*type, files == opened.end() ? nullptr : &files->second);
+  }
   return "<ServerManagerConfiguration>\n  <ProxyGroup name=\"sources\">\n" + sources +
          "  </ProxyGroup>\n  <ProxyGroup name=\"filters\">\n" + filters +
          "  </ProxyGroup>\n</ServerManagerConfiguration>\n";

@@ -72,6 +72,13 @@ StageResult take_data(const StageType& type, const Data& given, const OptionSet&
   });
 }
 
+StageResult run_piece(const StageType& type, const Piece& piece, const OptionSet& options, const Run& run) {
+  return measured(type, options, run, [&] {
+    if (!type.run_piece) throw bad_input("the stage gives no pieces", "one of the readers that do");
+    return type.run_piece(piece, options, run);
+  });
+}
+
 StageRegistry& StageRegistry::global() {
   static StageRegistry registry;
   return registry;

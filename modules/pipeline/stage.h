@@ -12,6 +12,7 @@
 #include "base/report.h"
 #include "base/run.h"
 #include "cloud/data.h"
+#include "cloud/piece.h"
 
 namespace bole::pipeline {
 
@@ -52,6 +53,9 @@ struct StageType {
   // Of a reader: the same with data in memory (of the kind of its first output) in place of its file, which the options
   // then need not name. Null: the stage takes none.
   std::function<StageResult(const Data& given, const OptionSet& options, const Run& run)> take;
+  // Of a reader: one piece of what `run` gives. All pieces together hold every point once and have one origin. Null:
+  // the stage gives everything at once.
+  std::function<StageResult(const Piece& piece, const OptionSet& options, const Run& run)> run_piece;
 
   const Port* input(std::string_view port) const;
   const Port* output(std::string_view port) const;
@@ -63,6 +67,9 @@ StageResult run_stage(const StageType& type, const DataSet& inputs, const Option
 
 // The same by StageType::take. Throws Error{bad_input} for a type that has none, and for data of another kind.
 StageResult take_data(const StageType& type, const Data& given, const OptionSet& options, const Run& run);
+
+// The same by StageType::run_piece. Throws Error{bad_input} for a type that has none.
+StageResult run_piece(const StageType& type, const Piece& piece, const OptionSet& options, const Run& run);
 
 class StageRegistry {
  public:

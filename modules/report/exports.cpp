@@ -4,11 +4,11 @@
 #include "io/core/clouds/cloud_writer.h"
 #include "io/core/gdal/gdal_writer.h"
 #include "io/core/runs/plot_file.h"
+#include "io/core/tables/table_decimals.h"
 #include "io/core/tables/table_file.h"
 #include "io/core/tables/trajectory_file.h"
 #include "report/map_styles.h"
 #include "report/stem_mesh.h"
-#include "report/table_decimals.h"
 #include "report/workbook.h"
 
 namespace bole::report {
@@ -100,8 +100,9 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
   std::vector<Export> exports;
   const auto add_table = [&](const char* file, const Table* table) {
     if (o.tables && table != nullptr)
-      exports.push_back(
-          {file, [table](const auto& path, const Run&, Report&) { io::write_table(path, *table, table_decimals()); }});
+      exports.push_back({file, [table](const auto& path, const Run&, Report&) {
+                           io::write_table(path, *table, io::table_decimals());
+                         }});
   };
   add_table("stems.csv", d.stems);
   add_table("plot_values.csv", d.plot_values);

@@ -8,9 +8,9 @@
 #include "io/core/clouds/cloud_bounds.h"
 #include "io/core/clouds/cloud_writer.h"
 #include "io/core/gdal/gdal_writer.h"
+#include "io/core/tables/table_decimals.h"
 #include "io/core/tables/table_file.h"
 #include "report/report_writer.h"
-#include "report/table_decimals.h"
 
 namespace bole::report {
 
@@ -84,7 +84,7 @@ pipeline::StageResult write_tile_report(const DataSet& inputs, const TileReportO
   for (const auto* name : {"stems", "sections", "rejected"})
     if (inputs.has(name))
       writer.write(fmt::format("{}.csv", name),
-                   [&](const auto& path) { io::write_table(path, inputs.table(name), table_decimals()); });
+                   [&](const auto& path) { io::write_table(path, inputs.table(name), io::table_decimals()); });
   // These two are added up: with every digit.
   for (const auto* name : {"evidence", "priors"})
     if (inputs.has(name))

@@ -11,8 +11,8 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/option_text.h"
+#include "io/core/tables/table_decimals.h"
 #include "report/core/value_rows.h"
-#include "report/table_decimals.h"
 
 namespace bole::report {
 namespace {
@@ -117,7 +117,7 @@ void add_table(Workbook& book, const char* name, const Table* table) {
       else if (const auto* whole = std::get_if<std::vector<std::int64_t>>(&column.values))
         sheet.number(static_cast<double>((*whole)[row]));
       else
-        sheet.number(std::get<std::vector<double>>(column.values)[row], decimals_of(column.name));
+        sheet.number(std::get<std::vector<double>>(column.values)[row], io::decimals_of(column.name));
     }
     sheet.end_row();
   }

@@ -1,20 +1,55 @@
 #include "vtkbridge/core_conversion.h"
 
+#include <vtkAbstractArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationObjectBaseKey.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPointSet.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
+#include <vtkTimeStamp.h>
 
 #include <algorithm>
+#include <array>
+#include <vector>
 
 #include "vtkbridge/field_facts.h"
 #include "vtkbridge/lazy_data.h"
 
 namespace {
+
+// What shows that a VTK object is a shallow copy of another one: it holds the same arrays, in the same place.
+struct Contents {
+  std::vector<vtkAbstractArray*> arrays;
+  std::array<double, 12> place{};  // of an image
+
+  bool operator==(const Contents&) const = default;
+};
+
+void add_arrays(Contents& contents, vtkFieldData* data) {
+  for (int a = 0; data != nullptr && a < data->GetNumberOfArrays(); ++a)
+    contents.arrays.push_back(data->GetAbstractArray(a));
+}
+
+Contents contents_of(vtkDataObject* object) {
+  Contents contents;
+  if (auto* points = vtkPointSet::SafeDownCast(object); points && points->GetPoints())
+    contents.arrays.push_back(points->GetPoints()->GetData());
+  if (auto* set = vtkDataSet::SafeDownCast(object)) add_arrays(contents, set->GetPointData());
+  if (auto* table = vtkTable::SafeDownCast(object)) add_arrays(contents, table->GetRowData());
+  add_arrays(contents, object->GetFieldData());
+  if (auto* image = vtkImageData::SafeDownCast(object)) {
+    std::copy_n(image->GetOrigin(), 3, contents.place.data());
+    std::copy_n(image->GetSpacing(), 3, contents.place.data() + 3);
+    std::copy_n(image->GetExtent(), 6, contents.place.data() + 6);
+  }
+  return contents;
+}
 
 // Carries the core object in the information of a VTK data object.
 class vtkBoleCoreData : public vtkObjectBase {
@@ -26,6 +61,8 @@ class vtkBoleCoreData : public vtkObjectBase {
   }
   std::shared_ptr<bole::vtkbridge::LazyData> data;
   vtkMTimeType time = 0;  // of the VTK object when it was attached
+  Contents contents;      // and what it held
+  vtkTimeStamp attached_at;
 };
 
 vtkInformationObjectBaseKey* core_data_key() {
@@ -132,17 +169,36 @@ Data core_from_vtk(vtkDataObject* object, DataKind wanted) {
   return {};
 }
 
+// A shallow copy has another information object, but the arrays bring theirs along.
 void attach(vtkDataObject* object, std::shared_ptr<LazyData> data) {
   vtkNew<vtkBoleCoreData> carrier;
   carrier->data = std::move(data);
   carrier->time = time_of(object);
+  carrier->contents = contents_of(object);
+  carrier->attached_at.Modified();
   object->GetInformation()->Set(core_data_key(), carrier);
+  if (!carrier->contents.arrays.empty())
+    carrier->contents.arrays.front()->GetInformation()->Set(core_data_key(), carrier);
 }
 
 std::shared_ptr<LazyData> attached(vtkDataObject* object) {
   auto* carrier = dynamic_cast<vtkBoleCoreData*>(object->GetInformation()->Get(core_data_key()));
-  if (!carrier || time_of(object) > carrier->time) return nullptr;
-  return carrier->data;
+  if (carrier) return time_of(object) > carrier->time ? nullptr : carrier->data;
+  const auto contents = contents_of(object);
+  if (contents.arrays.empty() || !contents.arrays.front()->HasInformation()) return nullptr;
+  carrier = dynamic_cast<vtkBoleCoreData*>(contents.arrays.front()->GetInformation()->Get(core_data_key()));
+  if (!carrier || carrier->contents != contents) return nullptr;
+  const bool changed = std::ranges::any_of(
+      contents.arrays, [&](vtkAbstractArray* array) { return array->GetMTime() > carrier->attached_at.GetMTime(); });
+  return changed ? nullptr : carrier->data;
+}
+
+bool holds_nothing(vtkDataObject* object) {
+  if (object == nullptr) return false;
+  for (int type = 0; type < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++type)
+    if (object->GetNumberOfElements(type) > 0) return false;
+  const auto arrays = contents_of(object).arrays;
+  return std::ranges::none_of(arrays, [](vtkAbstractArray* array) { return array->GetNumberOfValues() > 0; });
 }
 
 }  // namespace bole::vtkbridge

@@ -60,8 +60,11 @@ VTKBOLEBRIDGE_EXPORT const char* vtk_class_name(DataKind kind);
 VTKBOLEBRIDGE_EXPORT const char* vtk_input_class_name(DataKind kind);
 
 // The core object that a VTK data object was made from rides along with it, so that the next stage takes it as it is.
-// attached() gives nothing when the VTK object was changed since.
+// attached() gives nothing when the VTK object was changed since. It is found through shallow copies too, which is what
+// other programs put between two stages (ParaView's post filters): those hold the same arrays.
 VTKBOLEBRIDGE_EXPORT void attach(vtkDataObject* object, std::shared_ptr<LazyData> data);
 VTKBOLEBRIDGE_EXPORT std::shared_ptr<LazyData> attached(vtkDataObject* object);
+// No point, row, cell or array of any kind: what a copy of the output of a stage that had nothing to give looks like.
+VTKBOLEBRIDGE_EXPORT bool holds_nothing(vtkDataObject* object);
 
 }  // namespace bole::vtkbridge

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace bole::vtkbridge {
 
@@ -102,6 +103,7 @@ void vtkBoleStage::Internals::fail(vtkBoleStage* self, const Error& error) {
 
 std::shared_ptr<bole::vtkbridge::LazyData> vtkBoleStage::Internals::input(int port, vtkDataObject* object) {
   const auto& declared = type->inputs[static_cast<std::size_t>(port)];
+  const bool gave_nothing = bole::vtkbridge::holds_nothing(object);
   try {
     if (!object) throw bole::bad_input("nothing is connected", declared.help);
     if (auto data = bole::vtkbridge::attached(object)) {
@@ -111,6 +113,7 @@ std::shared_ptr<bole::vtkbridge::LazyData> vtkBoleStage::Internals::input(int po
         throw bole::bad_input("the stage before gave nothing", declared.help);
       }
     }
+    if (gave_nothing && declared.optional) return nullptr;
     return std::make_shared<bole::vtkbridge::LazyData>(bole::vtkbridge::core_from_vtk(object, declared.kind));
   } catch (const Error& e) {
     throw e.at("input '" + declared.name + "'").at(type->name);
@@ -139,7 +142,44 @@ bool vtkBoleStage::Internals::is_current(const vtkBoleStage* self, const bole::v
   return result && result_time_ >= const_cast<vtkBoleStage*>(self)->GetMTime() && inputs == result_inputs_;
 }
 
-bool vtkBoleStage::Internals::update(vtkBoleStage* self, const bole::vtkbridge::PortData& inputs) {
+bole::Piece vtkBoleStage::Internals::piece_wanted(vtkInformation* output) {
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  if (!output || !output->Has(Pipeline::UPDATE_NUMBER_OF_PIECES())) return {};
+  return {output->Get(Pipeline::UPDATE_PIECE_NUMBER()), output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())};
+}
+
+bool vtkBoleStage::Internals::has_path() const {
+  const auto path = std::ranges::find(type->options->specs, bole::TextKind::input_path, &bole::OptionSpec::text_kind);
+  return path == type->options->specs.end() || !bole::option_text(path->get(options->raw())).empty();
+}
+
+void vtkBoleStage::Internals::take_up_piece(const bole::Piece& piece) {
+  if (piece == piece_) return;
+  std::swap(result, spare_.result);
+  std::swap(result_time_, spare_.time);
+  std::swap(result_inputs_, spare_.inputs);
+  std::swap(piece_, spare_.piece);
+  if (piece == piece_) return;
+  result.reset();
+  piece_ = piece;
+}
+
+// Pieces are not kept in the cache: which there are depends on the number of processes.
+bole::vtkbridge::StageExecution vtkBoleStage::Internals::execute(vtkBoleStage* self,
+                                                                 const bole::vtkbridge::PortData& inputs) {
+  if (piece_.is_whole())
+    return bole::vtkbridge::execute_stage(*type, *options, inputs, make_run(self), control.cache, control.output_dir);
+  bole::vtkbridge::StageExecution execution;
+  auto done = bole::pipeline::run_piece(*type, piece_, *options, make_run(self));
+  for (const auto& [port, data] : done.outputs.all())
+    execution.outputs[port] = std::make_shared<bole::vtkbridge::LazyData>(data);
+  execution.report = std::move(done.report);
+  return execution;
+}
+
+bool vtkBoleStage::Internals::update(vtkBoleStage* self, const bole::vtkbridge::PortData& inputs,
+                                     const bole::Piece& piece) {
+  take_up_piece(type->run_piece && !given && !piece.is_whole() ? piece : bole::Piece());
   if (is_current(self, inputs)) return true;
   result.reset();
   exit_code = 0;
@@ -149,7 +189,7 @@ bool vtkBoleStage::Internals::update(vtkBoleStage* self, const bole::vtkbridge::
   const std::stop_callback forward_cancel(control.cancel, [this] { stop.cancel(); });
   const std::stop_callback forward_finish(control.finish, [this] { stop.finish(); });
   return guarded(self, [&] {
-    result = bole::vtkbridge::execute_stage(*type, *options, inputs, make_run(self), control.cache, control.output_dir);
+    result = execute(self, inputs);
     result_inputs_ = inputs;
     result_time_ = self->GetMTime();
     if (!result->from_cache) ++executions;

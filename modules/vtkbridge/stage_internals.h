@@ -68,9 +68,14 @@ class vtkBoleStage::Internals {
   std::shared_ptr<bole::vtkbridge::LazyData> input(int port, vtkDataObject* object);
   // Brings `result` up to date: executes when options or inputs differ from those of the last time. False after an
   // error.
-  bool update(vtkBoleStage* self, const bole::vtkbridge::PortData& inputs);
+  bool update(vtkBoleStage* self, const bole::vtkbridge::PortData& inputs, const bole::Piece& piece = {});
   // Puts an output into its VTK object.
   void fill(int port, vtkDataObject* object, std::size_t step, bool core_only);
+
+  // The piece that a request asks for: of a stage that gives no pieces, piece 0 is everything and the others are empty.
+  static bole::Piece piece_wanted(vtkInformation* output);
+  // Whether a source has the path of its file. Programs such as ParaView look at a source before they name one.
+  bool has_path() const;
 
   // Frames and views as VTK time steps; other outputs have none.
   void tell_times(const bole::pipeline::Port& port, vtkInformation* info);
@@ -80,8 +85,18 @@ class vtkBoleStage::Internals {
  private:
   bole::Run make_run(vtkBoleStage* self);
   bool is_current(const vtkBoleStage* self, const bole::vtkbridge::PortData& inputs) const;
+  void take_up_piece(const bole::Piece& piece);
+  bole::vtkbridge::StageExecution execute(vtkBoleStage* self, const bole::vtkbridge::PortData& inputs);
   std::vector<double> step_times_s(const std::string& port);
 
   vtkMTimeType result_time_ = 0;
   bole::vtkbridge::PortData result_inputs_;
+  bole::Piece piece_;  // of `result`
+  // The result before, of another piece: a view asks for pieces and a filter for the whole, in turns.
+  struct {
+    std::optional<bole::vtkbridge::StageExecution> result;
+    vtkMTimeType time = 0;
+    bole::vtkbridge::PortData inputs;
+    bole::Piece piece;
+  } spare_;
 };

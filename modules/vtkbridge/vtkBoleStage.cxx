@@ -6,6 +6,7 @@
 #include "pipeline/register_all_stages.h"
 #include "pipeline/report_json.h"
 #include "vtkDataObject.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -280,8 +281,10 @@ void vtkBoleStage::PrintSelf(ostream& os, vtkIndent indent) {
 int vtkBoleStage::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                                  vtkInformationVector* outputs) {
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION())) return this->RequestInformation(inputs, outputs);
-  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT())) this->RequestUpdateExtent(inputs);
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA())) return this->RequestData(inputs, outputs);
+  const int port = request->Has(vtkExecutive::FROM_OUTPUT_PORT()) ? request->Get(vtkExecutive::FROM_OUTPUT_PORT()) : 0;
+  vtkInformation* asked = outputs->GetInformationObject(std::max(port, 0));
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT())) this->RequestUpdateExtent(inputs, asked);
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA())) return this->RequestData(inputs, outputs, asked);
   return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
@@ -298,9 +301,11 @@ bool vtkBoleStage::RequestInformation(vtkInformationVector** /*inputs*/, vtkInfo
   // with the data.
   const bool has_steps =
       std::ranges::any_of(ports, [](const bole::pipeline::Port& p) { return bole::vtkbridge::has_steps(p.kind); });
-  if (has_steps && this->Inner->type->inputs.empty() && !this->Inner->update(this, {})) return false;
+  if (has_steps && this->Inner->type->inputs.empty() && this->Inner->has_path() && !this->Inner->update(this, {}))
+    return false;
   for (std::size_t p = 0; p < ports.size(); ++p) {
     vtkInformation* info = outputs->GetInformationObject(static_cast<int>(p));
+    info->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
     this->Inner->tell_times(ports[p], info);
     if (ports[p].kind == bole::DataKind::raster)
       this->Inner->tell_extent(this->GetOutputDataObject(static_cast<int>(p)), info);
@@ -308,16 +313,30 @@ bool vtkBoleStage::RequestInformation(vtkInformationVector** /*inputs*/, vtkInfo
   return true;
 }
 
-void vtkBoleStage::RequestUpdateExtent(vtkInformationVector** inputs) {
+void vtkBoleStage::RequestUpdateExtent(vtkInformationVector** inputs, vtkInformation* output) {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  // A stage takes all frames of a scan, whichever of them somebody looks at.
+  const auto piece = Internals::piece_wanted(output);
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
-    for (int c = 0; c < inputs[port]->GetNumberOfInformationObjects(); ++c)
-      inputs[port]->GetInformationObject(c)->Remove(Pipeline::UPDATE_TIME_STEP());
+    for (int c = 0; c < inputs[port]->GetNumberOfInformationObjects(); ++c) {
+      vtkInformation* info = inputs[port]->GetInformationObject(c);
+      // A stage takes all frames of a scan, whichever of them somebody looks at, and all pieces of a cloud.
+      info->Remove(Pipeline::UPDATE_TIME_STEP());
+      if (piece.is_whole() || piece.index != 0) continue;
+      info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+      info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    }
 }
 
-bool vtkBoleStage::RequestData(vtkInformationVector** inputs, vtkInformationVector* outputs) {
+bool vtkBoleStage::RequestData(vtkInformationVector** inputs, vtkInformationVector* outputs, vtkInformation* output) {
   this->Inner->exit_code = 0;
+  const auto piece = Internals::piece_wanted(output);
+  const bool gives_pieces = this->Inner->type && this->Inner->type->run_piece && !this->Inner->given;
+  if (piece.count < 1 || (piece.index > 0 && !gives_pieces)) {
+    for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+      if (auto* object = vtkDataObject::GetData(outputs, port)) object->Initialize();
+    return true;
+  }
   const bool done = this->Inner->guarded(this, [&] {
     if (!this->Inner->type) throw bole::bad_input("no stage type is set", "a stage that `bole stages` lists");
     bole::vtkbridge::PortData data;
@@ -326,11 +345,14 @@ bool vtkBoleStage::RequestData(vtkInformationVector** inputs, vtkInformationVect
         if (auto core = this->Inner->input(port, vtkDataObject::GetData(inputs[port], 0)))
           data[this->GetInputPortName(port)] = std::move(core);
     if (this->Inner->given) data[bole::vtkbridge::given_port] = this->Inner->given;
-    if (!this->Inner->update(this, data)) return;
+    if (!this->Inner->update(this, data, piece)) return;
     for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port) {
       vtkInformation* info = outputs->GetInformationObject(port);
       this->Inner->fill(port, vtkDataObject::GetData(info), this->Inner->step_wanted(port, info),
                         this->Inner->control.core_only);
+      // Filters that are connected from now on know how large an image is.
+      if (this->Inner->type->outputs[static_cast<std::size_t>(port)].kind == bole::DataKind::raster)
+        this->Inner->tell_extent(vtkDataObject::GetData(info), info);
     }
   });
   if (done && this->Inner->exit_code == 0) return true;

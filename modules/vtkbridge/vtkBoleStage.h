@@ -5,6 +5,9 @@
 // output window), leave empty outputs, and can be read by GetErrorText() and GetExitCode(). SetAbortExecute(1) cancels,
 // from any thread; Finish() asks for the best result so far. With a cache folder, results are kept on disk by the
 // content of all that they depend on. A stage whose output is the frames of a scan offers them as VTK time steps.
+//
+// Several processes: readers that can give pieces of a cloud do; every other stage runs on piece 0, takes its inputs
+// whole, and gives nothing as the other pieces. Results do not depend on the number of processes.
 #ifndef vtkBoleStage_h
 #define vtkBoleStage_h
 
@@ -115,8 +118,8 @@ class VTKBOLEBRIDGE_EXPORT vtkBoleStage : public vtkAlgorithm {
   void operator=(const vtkBoleStage&) = delete;
 
   bool RequestInformation(vtkInformationVector** inputs, vtkInformationVector* outputs);
-  void RequestUpdateExtent(vtkInformationVector** inputs);
-  bool RequestData(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  void RequestUpdateExtent(vtkInformationVector** inputs, vtkInformation* output);
+  bool RequestData(vtkInformationVector** inputs, vtkInformationVector* outputs, vtkInformation* output);
 
   class Internals;
   std::unique_ptr<Internals> Inner;

@@ -6,6 +6,7 @@
 
 #include "base/atomic_file.h"
 #include "commands.h"
+#include "documents/opened_files.h"
 #include "documents/stage_example.h"
 #include "pipeline/paraview_xml.h"
 #include "pipeline/printing.h"
@@ -99,7 +100,7 @@ void add_stages(Program& program) {
     const auto& registry = pipeline::StageRegistry::global();
     if (args->json) return fmt::print("{}", pipeline::stages_json(registry));
     if (args->schema) return fmt::print("{}", pipeline::document_schema(registry));
-    if (args->paraview_xml) return fmt::print("{}", pipeline::paraview_xml(registry));
+    if (args->paraview_xml) return fmt::print("{}", pipeline::paraview_xml(registry, documents::opened_files()));
     if (args->markdown && !args->out.empty()) return write_pages(args->out, pages(registry));
     if (args->markdown && !args->check.empty()) {
       for (const auto& page : stale_pages(args->check, pages(registry))) {

@@ -39,6 +39,7 @@ struct ScanAccess {
 };
 struct CloudAccess {
   CloudReading (*read)(Bytes file, const CloudReadOptions& options, const Run& run) = nullptr;
+  bool has_pieces = false;  // `read` respects CloudReadOptions::piece
   // Warnings go to `report` where it is not null.
   void (*write)(const std::filesystem::path& path, const PointCloud& cloud, const Run& run, Report* report) = nullptr;
 };

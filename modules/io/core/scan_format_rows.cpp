@@ -75,21 +75,24 @@ void add_view_layouts(std::vector<Format>& rows, std::index_sequence<layouts...>
 }
 
 void add_known_by_content(std::vector<Format>& rows) {
-  rows.push_back({.name = "COPC",
-                  .endings = {".copc.laz"},
-                  .matches = [](const Candidate& c) { return is_laz(c.bytes) && copc::looks_like_copc(c.bytes); },
-                  .access = CloudAccess{.read = read_las_cloud, .write = write_las_cloud<LasPacking::copc>},
-                  .fuzz_target = "copc"});
-  rows.push_back({.name = "LAZ",
-                  .endings = {".laz"},
-                  .matches = [](const Candidate& c) { return is_laz(c.bytes); },
-                  .access = CloudAccess{.read = read_las_cloud, .write = write_las_cloud<LasPacking::laz>},
-                  .fuzz_target = "las"});
-  rows.push_back({.name = "LAS",
-                  .endings = {".las"},
-                  .matches = [](const Candidate& c) { return is_las(c.bytes); },
-                  .access = CloudAccess{.read = read_las_cloud, .write = write_las_cloud<LasPacking::plain>},
-                  .fuzz_target = "las"});
+  rows.push_back(
+      {.name = "COPC",
+       .endings = {".copc.laz"},
+       .matches = [](const Candidate& c) { return is_laz(c.bytes) && copc::looks_like_copc(c.bytes); },
+       .access = CloudAccess{.read = read_las_cloud, .has_pieces = true, .write = write_las_cloud<LasPacking::copc>},
+       .fuzz_target = "copc"});
+  rows.push_back(
+      {.name = "LAZ",
+       .endings = {".laz"},
+       .matches = [](const Candidate& c) { return is_laz(c.bytes); },
+       .access = CloudAccess{.read = read_las_cloud, .has_pieces = true, .write = write_las_cloud<LasPacking::laz>},
+       .fuzz_target = "las"});
+  rows.push_back(
+      {.name = "LAS",
+       .endings = {".las"},
+       .matches = [](const Candidate& c) { return is_las(c.bytes); },
+       .access = CloudAccess{.read = read_las_cloud, .has_pieces = true, .write = write_las_cloud<LasPacking::plain>},
+       .fuzz_target = "las"});
   rows.push_back({.name = "E57",
                   .endings = {".e57"},
                   .matches = [](const Candidate& c) { return e57::looks_like_e57(c.bytes); },

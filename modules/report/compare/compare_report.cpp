@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.h"
+#include "io/core/tables/table_decimals.h"
 #include "io/core/tables/table_file.h"
 #include "report/compare/compare_figures.h"
 #include "report/compare/compare_tables.h"
@@ -15,7 +16,6 @@
 #include "report/core/simple_page.h"
 #include "report/figure_rows.h"
 #include "report/report_writer.h"
-#include "report/table_decimals.h"
 
 namespace bole::report {
 
@@ -92,7 +92,7 @@ class CompareReport {
 
  private:
   void add_table(const std::string& file, const Table& table) {
-    writer_.write(file, [&](const auto& path) { io::write_table(path, table, table_decimals()); });
+    writer_.write(file, [&](const auto& path) { io::write_table(path, table, io::table_decimals()); });
   }
 
   // The runs as they were read, with the plot that the comparison found them to be of.

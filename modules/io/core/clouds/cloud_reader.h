@@ -11,6 +11,7 @@
 #include "base/report.h"
 #include "base/run.h"
 #include "cloud/axes_choice.h"
+#include "cloud/piece.h"
 #include "cloud/point_cloud.h"
 #include "io/core/bytes/mapped_file.h"
 
@@ -42,6 +43,8 @@ struct CloudReadOptions {
   std::string bounds;                                       // as parse_bounds() has it; empty: all points
   double resolution = 0;                                    // COPC: greatest spacing of the points; 0: all of them
   ScanPositions scan_positions = ScanPositions::automatic;  // E57
+  // Of LAS, LAZ and COPC. Not an option of a stage: hosts with several processes ask for pieces.
+  Piece piece{};
 };
 const OptionTable& option_table(const CloudReadOptions*);
 

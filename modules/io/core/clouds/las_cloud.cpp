@@ -11,6 +11,7 @@ CloudReading read_las_cloud(Bytes file, const CloudReadOptions& options, const R
   las.drop_withheld = options.drop_withheld;
   las.bounds = parse_bounds(options.bounds);
   las.resolution = options.resolution;
+  las.piece = options.piece;
   out.cloud = read_las(file, las, run, &out.report);
   // The LAS reader gives coordinates as they are in the file.
   if (options.axes != Axes::unknown) out.cloud.axes = options.axes;
@@ -18,7 +19,7 @@ CloudReading read_las_cloud(Bytes file, const CloudReadOptions& options, const R
   out.report.counts["points"] = static_cast<std::int64_t>(out.cloud.size());
   const bool packed = las::parse_info(file, false).compressed;
   out.report.facts["format"] = !packed ? "LAS" : copc::looks_like_copc(file) ? "COPC" : "LAZ";
-  if (out.cloud.empty()) out.report.warn("the file holds no points");
+  if (out.cloud.empty() && options.piece.is_whole()) out.report.warn("the file holds no points");
   return out;
 }
 

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "base/option.h"
 #include "base/transform.h"
 #include "cloud/known_facts.h"
 #include "io/core/clouds/take_cloud.h"
 #include "io/core/clouds/turn_cloud.h"
+#include "io/core/formats.h"
 #include "io/core/las/crs_unit.h"
 
 namespace bole::io {
@@ -342,6 +344,42 @@ CloudReadOptions as_written(const SeeCloudOptions& options) {
 
 SeenCloud see_cloud(const std::filesystem::path& path, const SeeCloudOptions& options, const Run& run) {
   return look_at_cloud(read_cloud(path, as_written(options), run.part(0, 0.7)), options, run.part(0.7, 1));
+}
+
+namespace {
+
+std::vector<std::uint32_t> indices_of(const Piece& piece, std::size_t points) {
+  const auto edge = [&](int index) {
+    return points / static_cast<std::size_t>(piece.count) * static_cast<std::size_t>(index) +
+           points % static_cast<std::size_t>(piece.count) * static_cast<std::size_t>(index) /
+               static_cast<std::size_t>(piece.count);
+  };
+  std::vector<std::uint32_t> indices(edge(piece.index + 1) - edge(piece.index));
+  std::iota(indices.begin(), indices.end(), static_cast<std::uint32_t>(edge(piece.index)));
+  return indices;
+}
+
+}  // namespace
+
+CloudReading read_piece(const std::filesystem::path& path, const Piece& piece, const SeeCloudOptions& options,
+                        const Run& run) {
+  const auto* format = find_format(path);
+  const bool has_pieces =
+      format != nullptr && format->content() == FileContent::cloud && std::get<CloudAccess>(format->access).has_pieces;
+  if (!has_pieces && piece.index > 0) return {};
+  if (!has_pieces || piece.is_whole()) return see_cloud(path, options, run).reading;
+  const bool decided = options.unit && options.up && options.level == LevelCloud::none;
+  if (!decided) {
+    auto reading = see_cloud(path, options, run).reading;
+    reading.cloud = reading.cloud.subset(indices_of(piece, reading.cloud.size()));
+    reading.report.counts["points"] = static_cast<std::int64_t>(reading.cloud.size());
+    return reading;
+  }
+  CloudReadOptions share = as_written(options);
+  share.piece = piece;
+  SeenCloud seen{read_cloud(path, share, run), {}};
+  drop_crs_in_feet(seen, options);
+  return std::move(seen.reading);
 }
 
 SeenCloud see_cloud(const PointCloud& given, const SeeCloudOptions& options, const Run& run) {

@@ -37,6 +37,12 @@ SeenCloud see_cloud(const std::filesystem::path& path, const SeeCloudOptions& op
 // The same of a cloud in memory, by take_cloud().
 SeenCloud see_cloud(const PointCloud& given, const SeeCloudOptions& options = {}, const Run& run = {});
 
+// One piece of the cloud that the first form gives; all pieces have one origin. Of LAS, LAZ and COPC files each piece
+// is decoded by itself where the options leave nothing to be decided by the cloud (unit, up, level); else the whole
+// cloud is read and looked at, so that all pieces agree. Piece 0 of another format is the whole cloud.
+CloudReading read_piece(const std::filesystem::path& path, const Piece& piece, const SeeCloudOptions& options = {},
+                        const Run& run = {});
+
 // The second step of it, for a cloud that was read with the options.
 SeenCloud look_at_cloud(CloudReading reading, const SeeCloudOptions& options, const Run& run = {});
 

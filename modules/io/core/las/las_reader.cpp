@@ -122,6 +122,30 @@ std::optional<copc::CopcNodes> nodes_of(Bytes file, const LasInfo& info, const L
   return nodes;
 }
 
+// The chunks of one piece; a file without a usable chunk table is piece 0 by itself.
+std::optional<std::vector<laz::Chunk>> chunks_of_piece(Bytes file, const LasInfo& info, const Piece& piece,
+                                                       const std::optional<copc::CopcNodes>& nodes) {
+  const auto all = nodes ? std::optional(nodes->chunks) : laz::chunks_of(file, info);
+  if (!all) return piece.index == 0 ? std::nullopt : std::optional(std::vector<laz::Chunk>());
+  std::vector<laz::Chunk> chunks;
+  for (std::size_t i = 0; i < all->size(); ++i)
+    if (i % static_cast<std::size_t>(piece.count) == static_cast<std::size_t>(piece.index)) chunks.push_back((*all)[i]);
+  return chunks;
+}
+
+Read read_compressed_piece(Bytes file, const LasInfo& info, ColumnBuilder& builder, const LasReadOptions& options,
+                           const Run& run, std::vector<std::string>& warnings, Report& findings) {
+  const las::RecordSelection selection(options.bounds.value_or(CloudBounds()), info);
+  const auto nodes = nodes_of(file, info, options, warnings, findings);
+  const auto chunks = chunks_of_piece(file, info, options.piece, nodes);
+  std::uint64_t declared = chunks ? 0 : info.points;
+  if (chunks)
+    for (const auto& chunk : *chunks) declared += chunk.points;
+  const laz::PointsWanted wanted{options.columns_in_memory, &selection, chunks ? &*chunks : nullptr};
+  const auto read = laz::read_points(file, info, builder, wanted, run, warnings);
+  return {read.sound, declared, read.box, nodes.has_value(), nodes ? nodes->refused : 0};
+}
+
 Read read_compressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, const LasReadOptions& options,
                      const Run& run, std::vector<std::string>& warnings, Report& findings) {
   const auto selection = selection_of(info, options);
@@ -133,8 +157,39 @@ Read read_compressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, co
           nodes ? nodes->refused : 0};
 }
 
+// The header of a file that holds the records of the piece alone.
+LasInfo records_of_piece(LasInfo info, const Piece& piece) {
+  const auto stride = static_cast<std::uint64_t>(info.record_length);
+  const auto count = static_cast<std::uint64_t>(piece.count);
+  const auto index = static_cast<std::uint64_t>(piece.index);
+  const std::uint64_t begin = info.points / count * index + info.points % count * index / count;
+  const std::uint64_t end = info.points / count * (index + 1) + info.points % count * (index + 1) / count;
+  info.points = end - begin;
+  info.data_offset = std::min(info.data_offset + begin * stride, info.data_end);
+  return info;
+}
+
+// The middle of the bounds that the header gives, on the grid of the coordinates.
+Eigen::Vector3d origin_of_pieces(const LasInfo& info) {
+  const Eigen::Vector3d steps = ((info.min + info.max) / 2 - info.offset).cwiseQuotient(info.scale).array().round();
+  return info.offset + steps.cwiseProduct(info.scale);
+}
+
+// Pieces with origins of their own would be drawn in wrong places.
+void check_origin(const PointCloud& cloud, const Eigen::Vector3d& wanted) {
+  if (cloud.empty() || (cloud.origin - wanted).norm() < 1e-6 * std::max(1.0, wanted.norm() * 1e-6)) return;
+  throw bad_input("the bounds in the header of the file do not fit its points, so it cannot be read in pieces",
+                  "a header with right bounds", "Leave the options unit and up at auto, or read it in one process");
+}
+
 Read read_records(Bytes file, const LasInfo& info, ColumnBuilder& builder, const LasReadOptions& options,
                   const Run& run, std::vector<std::string>& warnings, Report& findings) {
+  if (!options.piece.is_whole()) {
+    if (info.compressed) return read_compressed_piece(file, info, builder, options, run, warnings, findings);
+    LasReadOptions all = options;
+    all.piece = {};
+    return read_records(file, records_of_piece(info, options.piece), builder, all, run, warnings, findings);
+  }
   if (info.compressed) return read_compressed(file, info, builder, options, run, warnings, findings);
   if (const auto selection = selection_of(info, options))
     return select_uncompressed(file, info, builder, *selection, run);
@@ -199,15 +254,19 @@ PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, b
   note_missing_points(
       findings, read.declared, read.points,
       fmt::format("{} of {} points read: the file ends early or is damaged there", read.points, read.declared));
-  if (options.bounds && builder.size() == 0 && info.points > 0) throw nothing_found(read, info, options);
+  const bool is_whole = options.piece.is_whole();
+  if (is_whole && options.bounds && builder.size() == 0 && info.points > 0) throw nothing_found(read, info, options);
   if (options.bounds && !read.by_nodes)  // of a COPC file, most of them are never decoded
     findings.counts["points_outside_bounds"] = static_cast<std::int64_t>(read.points - builder.size());
   note_points_behind(info, findings);
   bool exact = true;
   Facts facts = las::read_facts(file, info, warnings);
   const auto whole = whole_of(facts);
-  PointCloud cloud = builder.finish(read.box, info.scale, info.offset, &exact, run,
-                                    whole ? std::optional(whole->origin) : std::nullopt);
+  std::optional<Eigen::Vector3d> origin;
+  if (whole) origin = whole->origin;
+  if (!origin && !is_whole) origin = origin_of_pieces(info);
+  PointCloud cloud = builder.finish(read.box, info.scale, info.offset, &exact, run, origin);
+  if (!is_whole) check_origin(cloud, *origin);
   if (!exact)
     warnings.push_back(fmt::format(
         "the cloud reaches further than 2^23 steps of {} m from its middle: coordinates are rounded to float32 there",

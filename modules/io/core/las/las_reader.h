@@ -12,6 +12,7 @@
 #include "base/report.h"
 #include "base/run.h"
 #include "cloud/large_cloud.h"
+#include "cloud/piece.h"
 #include "cloud/point_cloud.h"
 #include "io/core/clouds/cloud_bounds.h"
 #include "io/core/las/las_bytes.h"
@@ -24,6 +25,9 @@ struct LasReadOptions {
   bool extra_bytes = true;
   std::optional<CloudBounds> bounds{};  // in the coordinates of the file; nothing: all points
   double resolution = 0;                // greatest spacing of the points of a COPC file; 0: all of them
+  // Which of so many pieces to decode: every so many-th chunk of a compressed file, a run of the records of others. All
+  // have the origin that the bounds in the header give.
+  Piece piece{};
   // Bytes. Larger clouds have their columns on file. Not an option of a stage, because it changes no result.
   std::size_t columns_in_memory = large_columns_bytes;
 };

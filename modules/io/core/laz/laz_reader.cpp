@@ -234,16 +234,26 @@ class PointReader {
   IntegerBox box_;
 };
 
-}  // namespace
-
-PointsRead read_points(Bytes file, const LasInfo& info, ColumnBuilder& builder, const PointsWanted& wanted,
-                       const Run& run, std::vector<std::string>& warnings) {
+Packing packing_of(Bytes file, const LasInfo& info) {
   const auto* vlr = las::find_vlr(info, "laszip encoded", 22204);
   if (vlr == nullptr)
     throw bad_input("the points are compressed, but the file has no LAZ record", "the record 'laszip encoded' 22204");
+  return parse_packing(las::vlr_data(file, *vlr), info.record_length);
+}
+
+}  // namespace
+
+std::optional<std::vector<Chunk>> chunks_of(Bytes file, const LasInfo& info) {
+  return read_chunk_table(file.first(info.data_end), info.data_offset, info.points, packing_of(file, info),
+                          info.record_length);
+}
+
+PointsRead read_points(Bytes file, const LasInfo& info, ColumnBuilder& builder, const PointsWanted& wanted,
+                       const Run& run, std::vector<std::string>& warnings) {
+  auto packing = packing_of(file, info);
   if (info.points == 0) return {};
   // Extended records follow the chunk table. Chunks end before them.
-  PointReader reader(file, info, builder, wanted, run, parse_packing(las::vlr_data(file, *vlr), info.record_length));
+  PointReader reader(file, info, builder, wanted, run, std::move(packing));
   return reader.read(warnings);
 }
 

@@ -22,6 +22,10 @@ struct PointsRead {
   las::IntegerBox box;      // of the points in the builder
 };
 
+// The chunks of a file that has a usable chunk table; nothing for others, which are read in order. Throws
+// Error{bad_input} when the file lacks its LAZ record.
+std::optional<std::vector<Chunk>> chunks_of(Bytes file, const LasInfo& info);
+
 // Decodes the points into `builder`. Memory grows with the points that are decoded, not with the number in the header.
 // Chunks are decoded in parallel where there is a chunk table, else in order. More than `columns_in_memory` bytes of
 // columns lie on file where the chunk table is plausible. Throws Error{bad_input} when the file lacks its LAZ record,

@@ -5,12 +5,12 @@
 
 #include "io/core/tables/table_file.h"
 
-namespace bole::report {
+namespace bole::io {
 
 // Digits that mean something: a tenth of a millimetre in position, a tenth of a millimetre in diameter.
-const io::Decimals& table_decimals();
+const Decimals& table_decimals();
 
 // Of one column; -1 (as the number is) for a column that is not listed.
 int decimals_of(std::string_view column);
 
-}  // namespace bole::report
+}  // namespace bole::io

@@ -1,0 +1,50 @@
+"""What the tests in pvbatch share: checks, and how they say that they passed."""
+
+import sys
+import traceback
+
+import bole_paraview
+from paraview import servermanager
+
+failures = []
+
+
+class Skipped(Exception):
+    """Says what is missing."""
+
+
+def check(good, text):
+    if not good:
+        failures.append(text)
+        print("FAIL", text, flush=True)
+
+
+def equal(found, expected, what):
+    check(found == expected, f"{what}: {found!r}, expected {expected!r}")
+
+
+def processes():
+    return servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
+
+
+def is_first():
+    return servermanager.vtkProcessModule.GetProcessModule().GetPartitionId() == 0
+
+
+def barrier():
+    servermanager.vtkMultiProcessController.GetGlobalController().Barrier()
+
+
+def run(test):
+    """Loads the plugin and runs the test. pvbatch's own exit code says nothing of the script."""
+    try:
+        bole_paraview.load_plugin()
+        test(*sys.argv[1:])
+        word = "failed" if failures else "passed"
+    except Skipped as reason:
+        word = f"skipped: {reason}"
+    except BaseException:  # noqa: BLE001: also what ends the interpreter
+        traceback.print_exc()
+        word = "failed"
+    if is_first() or word == "failed":
+        print(f"\nbole-test: {word}", flush=True)
