@@ -62,6 +62,83 @@ TEST_F(Stage, RunsAndConverts) {
   EXPECT_THAT(lift->GetReportJSON(), HasSubstr("\"lift\""));
 }
 
+// What ParaView puts between two stages.
+vtkSmartPointer<vtkPolyData> shallow_copy(vtkDataObject* object) {
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(object);
+  return copy;
+}
+
+TEST_F(Stage, CoreDataAreFoundThroughShallowCopies) {
+  const auto points = make("toy.points");
+  points->Update();
+  const auto original = attached(points->GetOutputDataObject(0));
+  ASSERT_NE(original, nullptr);
+  const auto copy = shallow_copy(shallow_copy(points->GetOutputDataObject(0)));
+  EXPECT_EQ(attached(copy), original);
+
+  // Anything else than a copy has to be read from its arrays.
+  const auto with_array = shallow_copy(copy);
+  vtkNew<vtkFloatArray> further;
+  further->SetName("further");
+  further->SetNumberOfValues(100);
+  with_array->GetPointData()->AddArray(further);
+  EXPECT_EQ(attached(with_array), nullptr);
+  vtkNew<vtkPolyData> deep;
+  deep->DeepCopy(copy);
+  EXPECT_EQ(attached(deep), nullptr);
+  copy->GetPointData()->GetArray("range")->Modified();
+  EXPECT_EQ(attached(copy), nullptr);
+  EXPECT_EQ(attached(vtkSmartPointer<vtkPolyData>::New()), nullptr);
+}
+
+void ask_for_piece(vtkBoleStage* stage, int piece, int pieces) {
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  stage->UpdateInformation();
+  stage->GetOutputInformation(0)->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
+  stage->GetOutputInformation(0)->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), pieces);
+  vtkStreamingDemandDrivenPipeline::SafeDownCast(stage->GetExecutive())->Update(0);
+}
+
+vtkIdType points_of(vtkBoleStage* stage) {
+  return vtkPolyData::SafeDownCast(stage->GetOutputDataObject(0))->GetNumberOfPoints();
+}
+
+TEST_F(Stage, GivesEverythingOnTheFirstPieceAndNothingOnOthers) {
+  const auto points = make("toy.points");
+  const auto lift = make("toy.lift");
+  ASSERT_TRUE(lift->ConnectInput("points", points, "points"));
+  EXPECT_EQ(points->GetOutputInformation(0)->Has(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST()), 0);
+  ask_for_piece(lift, 1, 2);
+  EXPECT_EQ(points_of(lift), 0);
+  EXPECT_EQ(lift->GetExecutionCount(), 0);
+  ask_for_piece(lift, 0, 2);
+  EXPECT_EQ(points_of(lift), 100);
+  EXPECT_EQ(points_of(points), 100);  // asked for all of it
+  EXPECT_EQ(points->GetOutputInformation(0)->Get(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST()), 1);
+}
+
+TEST_F(Stage, OfAReaderThatGivesPiecesAViewGetsPiecesAndAStageTheWhole) {
+  const auto points = make("toy.pieces");
+  const auto lift = make("toy.lift");
+  ASSERT_TRUE(lift->ConnectInput("points", points, "points"));
+  ask_for_piece(points, 1, 3);
+  EXPECT_EQ(points_of(points), 10);
+  ask_for_piece(points, 0, 3);
+  EXPECT_EQ(points_of(points), 10);
+  ask_for_piece(lift, 0, 3);
+  EXPECT_EQ(points_of(lift), 100);
+  const int runs = toy::runs()["toy.pieces"];
+  ask_for_piece(points, 0, 3);  // both are kept: the view and the stage ask in turns
+  EXPECT_EQ(points_of(points), 10);
+  ask_for_piece(lift, 0, 3);
+  EXPECT_EQ(points_of(lift), 100);
+  EXPECT_EQ(toy::runs()["toy.pieces"], runs);
+  points->SetOption("count", 50);
+  ask_for_piece(lift, 0, 3);
+  EXPECT_EQ(points_of(lift), 50);
+}
+
 TEST_F(Stage, OptionsChangeTheTimeOnlyWhenTheyChange) {
   const auto points = make("toy.points");
   points->SetOption("count", 7);

@@ -78,6 +78,17 @@ inline pipeline::StageResult make_points(const DataSet&, const OptionSet& option
   return result;
 }
 
+// A reader that gives a tenth of its points as any piece.
+inline pipeline::StageResult make_all(const DataSet& none, const OptionSet& options, const Run& run) {
+  ++runs()["toy.pieces"];
+  return make_points(none, options, run);
+}
+inline pipeline::StageResult make_piece(const Piece&, const OptionSet& options, const Run& run) {
+  OptionSet part = options;
+  part.set("count", std::get<std::int64_t>(options.get("count")) / 10);
+  return make_all({}, part, run);
+}
+
 inline pipeline::StageResult lift(const DataSet& inputs, const OptionSet& options, const Run& run) {
   ++runs()["toy.lift"];
   if (run.preview && run.preview->wants()) run.preview->show(inputs);  // the points before they are lifted
@@ -207,6 +218,10 @@ inline void register_toys() {
   const pipeline::Port with_height{"points", DataKind::cloud, "Points.", false, {arrays::height_above_ground}};
   registry.add(stage_type("toy.points", {}, {{"points", DataKind::cloud, "Points.", false, {arrays::range}}},
                           points_options(), make_points));
+  auto pieces = stage_type("toy.pieces", {}, {{"points", DataKind::cloud, "Points.", false, {arrays::range}}},
+                           points_options(), make_all);
+  pieces.run_piece = make_piece;
+  registry.add(std::move(pieces));
   registry.add(stage_type("toy.lift", {cloud}, {with_height}, lift_options(), lift));
   registry.add(
       stage_type("toy.count", {with_height}, {{"table", DataKind::table, "Counts.", false, {}}}, no_options(), count));
