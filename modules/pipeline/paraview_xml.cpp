@@ -73,8 +73,14 @@ std::string_view input_type(DataKind kind) {
   return kind == DataKind::cloud || kind == DataKind::trajectory ? "vtkPointSet" : data_type(kind);
 }
 
-std::string input_property(const Port& port, std::size_t index) {
-  std::string xml = "      <InputProperty" + attribute("name", port.name) +
+// Ports and options have one list of names there: "targets_input" where an option is named "targets".
+std::string input_name(const StageType& type, const Port& port) {
+  return type.options->find(port.name) ? port.name + "_input" : port.name;
+}
+
+std::string input_property(const StageType& type, std::size_t index) {
+  const auto& port = type.inputs[index];
+  std::string xml = "      <InputProperty" + attribute("name", input_name(type, port)) +
                     attribute("port_index", std::to_string(index)) + attribute("command", "SetInputConnection") +
                     (port.optional ? attribute("null_on_empty", "1") : "") + ">\n";
   xml +=
@@ -127,7 +133,7 @@ std::string proxy(const StageType& type, const OpenedFiles* opened) {
   if (class_name == "vtkBoleStage")
     xml += "      <StringVectorProperty name=\"StageType\" command=\"SetStageType\" number_of_elements=\"1\"" +
            attribute("default_values", type.name) + " panel_visibility=\"never\"/>\n";
-  for (std::size_t i = 0; i < type.inputs.size(); ++i) xml += input_property(type.inputs[i], i);
+  for (std::size_t i = 0; i < type.inputs.size(); ++i) xml += input_property(type, i);
   for (const auto& spec : type.options->specs) xml += option_property(spec);
   for (std::size_t i = 0; i < type.outputs.size(); ++i)
     xml += "      <OutputPort" + attribute("name", type.outputs[i].name) + attribute("index", std::to_string(i)) +

@@ -16,7 +16,7 @@ if [ "$processes" -gt 1 ]; then
   [ "$(id -u)" -ne 0 ] || start+=(--allow-run-as-root)
 fi
 export PYTHONPATH="$prefix/lib/python3/dist-packages:${PYTHONPATH:-}"
-xvfb-run --auto-servernum "${start[@]}" pvbatch --sym "$@" 2>&1 | tee "${TMPDIR:-/tmp}/pvbatch_$$.log"
+xvfb-run --auto-servernum "${start[@]}" pvbatch "$@" 2>&1 | tee "${TMPDIR:-/tmp}/pvbatch_$$.log"
 # pvbatch ends with 0 after an error in a script: the scripts say how they ended.
 last=$(grep -a -o -E '^bole-test: (passed|failed|skipped.*)' "${TMPDIR:-/tmp}/pvbatch_$$.log" | tail -1 || true)
 rm -f "${TMPDIR:-/tmp}/pvbatch_$$.log"

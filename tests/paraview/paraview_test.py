@@ -1,4 +1,4 @@
-"""What the tests in pvbatch share: checks, and how they say that they passed."""
+"""What the tests in pvbatch share: checks, and how they say that they passed. The first process alone runs them."""
 
 import sys
 import traceback
@@ -27,14 +27,6 @@ def processes():
     return servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
 
 
-def is_first():
-    return servermanager.vtkProcessModule.GetProcessModule().GetPartitionId() == 0
-
-
-def barrier():
-    servermanager.vtkMultiProcessController.GetGlobalController().Barrier()
-
-
 def run(test):
     """Loads the plugin and runs the test. pvbatch's own exit code says nothing of the script."""
     try:
@@ -46,5 +38,4 @@ def run(test):
     except BaseException:  # noqa: BLE001: also what ends the interpreter
         traceback.print_exc()
         word = "failed"
-    if is_first() or word == "failed":
-        print(f"\nbole-test: {word}", flush=True)
+    print(f"\nbole-test: {word}", flush=True)

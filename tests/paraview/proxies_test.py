@@ -51,11 +51,16 @@ def test(stages_file, program):
     stages = json.loads(pathlib.Path(stages_file).read_text(encoding="utf-8"))
     options = 0
     for stage in stages:
-        proxy = bole_paraview.stage(stage["type"])
+        group, name = bole_paraview._group_and_name(stage["type"])
+        t.equal(group, "filters" if stage["inputs"] else "sources", f"{stage['type']}: group")
+        if group is None:
+            continue
+        proxy = bole_paraview._new(group, name)
+        proxy.UpdateVTKObjects()
         names = [proxy.SMProxy.GetOutputPortName(i) for i in range(proxy.SMProxy.GetNumberOfOutputPorts())]
         t.equal(names, [port["name"] for port in stage["outputs"]], f"{stage['type']}: outputs")
         for port in stage["inputs"]:
-            prop = proxy.SMProxy.GetProperty(port["name"])
+            prop = proxy.SMProxy.GetProperty(bole_paraview.input_name(proxy, port["name"]))
             t.check(prop is not None and prop.IsA("vtkSMInputProperty"), f"{stage['type']}: no input {port['name']}")
         for option in stage["options"]:
             check_option(stage, proxy, option)

@@ -20,7 +20,7 @@ def load_plugin(path=None):
     path = path or os.environ.get("BOLE_PARAVIEW_PLUGIN")
     if not path:
         raise RuntimeError("Where is Bole.so? Give load_plugin() its path, or set BOLE_PARAVIEW_PLUGIN")
-    simple.LoadPlugin(str(path), remote=False, ns=globals())
+    simple.LoadPlugin(str(path), remote=True)
     if not has_stage("io.read_cloud"):
         raise RuntimeError(f"{path} did not bring the stages of Bole")
 
@@ -39,22 +39,31 @@ def has_stage(stage_type):
     return _group_and_name(stage_type)[0] is not None
 
 
+def _new(group, name):
+    return servermanager._getPyProxy(servermanager.ProxyManager().SMProxyManager.NewProxy(group, name))
+
+
 def stage(stage_type, options=None, inputs=None, name=None):
     """A stage as a source or filter. options: by name, as in a document; inputs: {port: (proxy, "output port")}."""
     group, xml_name = _group_and_name(stage_type)
     if group is None:
         raise ValueError(f"the plugin has no stage {stage_type}")
-    proxy = servermanager.ProxyManager().NewProxy(group, xml_name)
-    proxy = servermanager._getPyProxy(proxy)
+    proxy = _new(group, xml_name)
     controller = servermanager.ParaViewPipelineController()
     controller.PreInitializeProxy(proxy)
     for port, (producer, output) in (inputs or {}).items():
-        proxy.SetPropertyWithName(port, servermanager.OutputPort(producer, output_index(producer, output)))
+        proxy.SetPropertyWithName(input_name(proxy, port), servermanager.OutputPort(producer, output_index(producer, output)))
     for option, value in (options or {}).items():
         set_option(proxy, option, value)
     controller.PostInitializeProxy(proxy)
     controller.RegisterPipelineProxy(proxy, name or stage_type)
     return proxy
+
+
+def input_name(proxy, port):
+    """The property of an input: the name of the port, with _input behind it where an option has that name."""
+    prop = getattr(proxy, "SMProxy", proxy).GetProperty(port)
+    return port if prop is not None and prop.IsA("vtkSMInputProperty") else port + "_input"
 
 
 def output_index(proxy, name):
@@ -91,6 +100,7 @@ def _missing_inputs(stage_type, given):
     group, name = _group_and_name(stage_type)
     prototype = servermanager.ProxyManager().SMProxyManager.GetPrototypeProxy(group, name)
     missing = []
+    given = {input_name(prototype, port) for port in given}
     iterator = prototype.NewPropertyIterator()
     iterator.Begin()
     while not iterator.IsAtEnd():
@@ -141,8 +151,7 @@ def open_document(path_or_name, settings=None):
 def write(proxy, output, path):
     """Writes an output as `bole run` would: a table as CSV, points as LAS, LAZ, COPC or PLY, a trajectory as TUM."""
     is_table = proxy.SMProxy.GetDataInformation(output_index(proxy, output)).GetDataSetType() == servermanager.vtk.VTK_TABLE
-    writer = servermanager.ProxyManager().NewProxy("writers", "Bole_table_writer" if is_table else "Bole_cloud_writer")
-    writer = servermanager._getPyProxy(writer)
+    writer = _new("writers", "Bole_table_writer" if is_table else "Bole_cloud_writer")
     writer.SetPropertyWithName("Input", servermanager.OutputPort(proxy, output_index(proxy, output)))
     writer.SetPropertyWithName("FileName", str(path))
     writer.UpdatePipeline()
