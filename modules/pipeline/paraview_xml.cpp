@@ -155,6 +155,8 @@ std::string paraview_label(const OptionSpec& spec) {
     text += (text.empty() ? "" : " ") + word;
     begin = end + 1;
   }
+  // ParaView's Python makes attributes of labels, and `Port` is one that it has itself.
+  if (text == "Port") text = "Network port";
   const auto unit = unit_symbol(spec.unit);
   return unit.empty() ? text : text + " (" + std::string(unit) + ")";
 }

@@ -10,7 +10,6 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 # Without these the cloud decides its unit and its axes, and each process reads all of it for that.
 DECIDED = {"unit": "metre", "up": "z"}
-BOX = {f"{end}_{axis}": value for axis in "xyz" for end, value in (("min", -10000), ("max", 10000))}
 
 
 def points_of(proxy):
@@ -27,8 +26,8 @@ def points_here(proxy):
 
 
 def whole(reader):
-    """The cloud as a stage gets it: a box that holds every point."""
-    return bole_paraview.stage("rows.region", BOX, {"points": (reader, "points")})
+    """The cloud as a stage gets it; this one hands it on as it is."""
+    return bole_paraview.stage("survey.join_trajectory", {}, {"points": (reader, "points")})
 
 
 def check_file(path, options=None):

@@ -45,6 +45,7 @@ struct CloudReadOptions {
   ScanPositions scan_positions = ScanPositions::automatic;  // E57
   // Of LAS, LAZ and COPC. Not an option of a stage: hosts with several processes ask for pieces.
   Piece piece{};
+  bool origin_of_header = false;  // the origin that pieces have, whatever is selected
 };
 const OptionTable& option_table(const CloudReadOptions*);
 

@@ -12,6 +12,7 @@ CloudReading read_las_cloud(Bytes file, const CloudReadOptions& options, const R
   las.bounds = parse_bounds(options.bounds);
   las.resolution = options.resolution;
   las.piece = options.piece;
+  las.origin_of_header = options.origin_of_header;
   out.cloud = read_las(file, las, run, &out.report);
   // The LAS reader gives coordinates as they are in the file.
   if (options.axes != Axes::unknown) out.cloud.axes = options.axes;

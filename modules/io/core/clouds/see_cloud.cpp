@@ -332,9 +332,13 @@ SeenCloud look_at_cloud(CloudReading reading, const SeeCloudOptions& options, co
 
 namespace {
 
-// What is open is decided after the reading.
+// Nothing is left to be decided by the cloud, so that it can be read in pieces.
+bool decided(const SeeCloudOptions& options) { return options.unit && options.up && options.level == LevelCloud::none; }
+
+// What is open is decided after the reading. Pieces and the whole have one origin.
 CloudReadOptions as_written(const SeeCloudOptions& options) {
   CloudReadOptions reading = options.reading;
+  reading.origin_of_header = decided(options);
   reading.unit = options.unit.value_or(LengthUnit::metre);
   reading.up = options.up.value_or(UpAxis::z);
   return reading;
@@ -368,8 +372,7 @@ CloudReading read_piece(const std::filesystem::path& path, const Piece& piece, c
       format != nullptr && format->content() == FileContent::cloud && std::get<CloudAccess>(format->access).has_pieces;
   if (!has_pieces && piece.index > 0) return {};
   if (!has_pieces || piece.is_whole()) return see_cloud(path, options, run).reading;
-  const bool decided = options.unit && options.up && options.level == LevelCloud::none;
-  if (!decided) {
+  if (!decided(options)) {
     auto reading = see_cloud(path, options, run).reading;
     reading.cloud = reading.cloud.subset(indices_of(piece, reading.cloud.size()));
     reading.report.counts["points"] = static_cast<std::int64_t>(reading.cloud.size());

@@ -5,6 +5,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "base/verdict.h"
 #include "cloud/core/whole/whole_cloud.h"
@@ -169,10 +171,18 @@ LasInfo records_of_piece(LasInfo info, const Piece& piece) {
   return info;
 }
 
-// The middle of the bounds that the header gives, on the grid of the coordinates.
-Eigen::Vector3d origin_of_pieces(const LasInfo& info) {
-  const Eigen::Vector3d steps = ((info.min + info.max) / 2 - info.offset).cwiseQuotient(info.scale).array().round();
-  return info.offset + steps.cwiseProduct(info.scale);
+// The origin that the whole cloud has where the bounds in the header are those of its points.
+Eigen::Vector3d origin_of_header(const LasInfo& info) {
+  constexpr double most = std::numeric_limits<std::int32_t>::max();
+  const auto steps = [&](double coordinate, int axis) {
+    const double value = std::round((coordinate - info.offset[axis]) / info.scale[axis]);
+    return static_cast<std::int32_t>(std::isfinite(value) ? std::clamp(value, -most, most) : 0);
+  };
+  Eigen::Vector3d origin;
+  for (int k = 0; k < 3; ++k)
+    origin[k] = info.offset[k] + info.scale[k] * las::grid_middle(steps(info.min[k], k), steps(info.max[k], k),
+                                                                  info.scale[k], info.offset[k]);
+  return origin;
 }
 
 // Pieces with origins of their own would be drawn in wrong places.
@@ -264,7 +274,7 @@ PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, b
   const auto whole = whole_of(facts);
   std::optional<Eigen::Vector3d> origin;
   if (whole) origin = whole->origin;
-  if (!origin && !is_whole) origin = origin_of_pieces(info);
+  if (!origin && (!is_whole || options.origin_of_header)) origin = origin_of_header(info);
   PointCloud cloud = builder.finish(read.box, info.scale, info.offset, &exact, run, origin);
   if (!is_whole) check_origin(cloud, *origin);
   if (!exact)

@@ -28,6 +28,8 @@ struct LasReadOptions {
   // Which of so many pieces to decode: every so many-th chunk of a compressed file, a run of the records of others. All
   // have the origin that the bounds in the header give.
   Piece piece{};
+  // The origin that pieces have, also of the whole or of what lies within bounds.
+  bool origin_of_header = false;
   // Bytes. Larger clouds have their columns on file. Not an option of a stage, because it changes no result.
   std::size_t columns_in_memory = large_columns_bytes;
 };
