@@ -106,6 +106,10 @@ std::string further_properties(const StageType& type) {
       "      <StringVectorProperty name=\"Report\" command=\"GetReportJSON\" information_only=\"1\" "
       "number_of_elements=\"1\">\n" +
       documentation("Counts, measures and findings of the last run, as JSON.") + "      </StringVectorProperty>\n";
+  xml +=
+      "      <StringVectorProperty name=\"Error\" command=\"GetErrorText\" information_only=\"1\" "
+      "number_of_elements=\"1\">\n" +
+      documentation("Why the last run failed; empty where it did not.") + "      </StringVectorProperty>\n";
   if (std::ranges::any_of(type.outputs,
                           [](const Port& p) { return p.kind == DataKind::frames || p.kind == DataKind::views; }))
     xml +=

@@ -1,10 +1,23 @@
-"""The shipped pipeline of a stem map, built of proxies, gives the stems.csv that `bole run` gives."""
+"""The shipped pipeline of a stem map, built of proxies, gives the stems.csv that `bole run` gives.
 
-import filecmp
+Apart from one column: `counted` is added by the report, which is not in the plugin.
+"""
+
+import csv
 import pathlib
 
 import bole_paraview
 import paraview_test as t
+
+
+def rows_of(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.reader(file))
+
+
+def without(rows, column):
+    at = rows[0].index(column)
+    return [row[:at] + row[at + 1:] for row in rows]
 
 
 def test(cloud, reference, folder):
@@ -23,8 +36,10 @@ def test(cloud, reference, folder):
     written = folder / "stems.csv"
     written.unlink(missing_ok=True)
     bole_paraview.write(stages["georeference"], "stems", written)
-    t.check(written.is_file() and filecmp.cmp(written, expected, shallow=False), f"{written} and {expected} differ")
-    print(f"{len(written.read_text(encoding='utf-8').splitlines()) - 1} stems, {t.processes()} processes")
+    found, wanted = rows_of(written), without(rows_of(expected), "counted")
+    differ = [number for number, (a, b) in enumerate(zip(found, wanted)) if a != b]
+    t.check(len(found) == len(wanted) and not differ, f"{written} and {expected} differ in the rows {differ}")
+    print(f"{len(found) - 1} stems with {len(found[0])} columns, as of bole run; {t.processes()} processes")
 
     # Tables, points and the terrain show in ParaView with the names of their arrays.
     information = stages["stems"].SMProxy.GetDataInformation(bole_paraview.output_index(stages["stems"], "points"))

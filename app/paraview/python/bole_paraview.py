@@ -157,6 +157,12 @@ def write(proxy, output, path):
     writer.UpdatePipeline()
 
 
+def error(proxy):
+    """Why a stage failed when it ran last; empty where it did not."""
+    proxy.UpdatePropertyInformation()
+    return proxy.SMProxy.GetProperty("Error").GetElement(0)
+
+
 def report(proxy):
     """Counts, measures and findings of a stage that has run."""
     proxy.UpdatePropertyInformation()

@@ -17,7 +17,7 @@ def show_terrain(stages, view):
     terrain = simple.OutputPort(stages["ground"], bole_paraview.output_index(stages["ground"], "dem"))
     raised = simple.WarpByScalar(Input=terrain, Scalars=["POINTS", "elevation"])
     shown = simple.Show(raised, view)
-    simple.ColorBy(shown, None)
+    shown.ColorArrayName = ["POINTS", ""]
     shown.DiffuseColor = [0.62, 0.58, 0.5]
 
 
@@ -44,7 +44,7 @@ def show_stems(stages, view):
     discs.ScaleFactor = 1.0
     discs.GlyphMode = "All Points"
     shown = simple.Show(discs, view)
-    simple.ColorBy(shown, None)
+    shown.ColorArrayName = ["POINTS", ""]
     shown.DiffuseColor = [0.85, 0.1, 0.1]
 
 
