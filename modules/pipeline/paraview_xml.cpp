@@ -102,6 +102,14 @@ std::string further_properties(const StageType& type) {
         "number_of_elements=\"1\" default_values=\"\">\n        <FileListDomain name=\"files\"/>\n"
         "        <Hints>\n          <UseDirectoryName/>\n        </Hints>\n" +
         documentation("Folder that the files are written into.") + "      </StringVectorProperty>\n";
+  if (std::ranges::find(type.outputs, DataKind::cloud, &Port::kind) != type.outputs.end())
+    xml +=
+        "      <IntVectorProperty name=\"PlacePoints\" label=\"Points at their coordinates\" "
+        "command=\"SetPlacePoints\" "
+        "number_of_elements=\"1\" default_values=\"1\" panel_visibility=\"advanced\">\n"
+        "        <BooleanDomain name=\"bool\"/>\n" +
+        documentation("Off: the points are offsets from the field data `origin`, which takes half of the memory.") +
+        "      </IntVectorProperty>\n";
   xml +=
       "      <StringVectorProperty name=\"Report\" command=\"GetReportJSON\" information_only=\"1\" "
       "number_of_elements=\"1\">\n" +
@@ -159,6 +167,8 @@ std::string paraview_label(const OptionSpec& spec) {
     text += (text.empty() ? "" : " ") + word;
     begin = end + 1;
   }
+  // What ParaView's Python opens a file with needs the name as its label.
+  if (spec.text_kind == TextKind::input_path) return spec.name;
   // ParaView's Python makes attributes of labels, and `Port` is one that it has itself.
   if (text == "Port") text = "Network port";
   const auto unit = unit_symbol(spec.unit);

@@ -139,6 +139,23 @@ void add_vertices(vtkPolyData* cloud) {
   cloud->SetVerts(cells);
 }
 
+void place_points(vtkPolyData* cloud) {
+  const Eigen::Vector3d origin = get_vector3(cloud, "origin").value_or(Eigen::Vector3d::Zero());
+  vtkPoints* const offsets = cloud->GetPoints();
+  const vtkIdType count = offsets ? offsets->GetNumberOfPoints() : 0;
+  vtkNew<vtkPoints> placed;
+  placed->SetDataTypeToDouble();
+  placed->SetNumberOfPoints(count);
+  for (vtkIdType i = 0; i < count; ++i) {
+    Eigen::Vector3d p;
+    offsets->GetPoint(i, p.data());
+    p += origin;
+    placed->SetPoint(i, p.data());
+  }
+  cloud->SetPoints(placed);
+  set_vector3(cloud, "origin", Eigen::Vector3d::Zero());
+}
+
 void to_vtk(ScanFrame frame, vtkPolyData* out) {
   auto cloud = std::make_shared<PointCloud>();
   const std::size_t size = frame.size();

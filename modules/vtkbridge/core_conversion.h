@@ -46,6 +46,9 @@ VTKBOLEBRIDGE_EXPORT std::vector<double> step_times_s(const Data& data);
 // One poly-vertex cell over all points, so that any mapper draws them.
 VTKBOLEBRIDGE_EXPORT void add_vertices(vtkPolyData* cloud);
 
+// The points of a cloud at their coordinates, as a copy in double precision; its origin becomes zero.
+VTKBOLEBRIDGE_EXPORT void place_points(vtkPolyData* cloud);
+
 // From the arrays of data that any VTK filter made. Points in double precision get an origin near their middle; colours
 // and vectors become one column per component (red, green, blue; name_0, name_1, ...). Throw Error{bad_input} naming
 // what is missing.

@@ -208,6 +208,8 @@ void vtkBoleStage::Internals::fill(int port, vtkDataObject* object, std::size_t 
     object->Initialize();
   } else {
     bole::vtkbridge::to_vtk(it->second->get(), object, step);
+    if (place_points && declared.kind == bole::DataKind::cloud)
+      bole::vtkbridge::place_points(vtkPolyData::SafeDownCast(object));
     const bool drawn_as_points = declared.kind == bole::DataKind::cloud || bole::vtkbridge::has_steps(declared.kind);
     if (vertices && drawn_as_points) bole::vtkbridge::add_vertices(vtkPolyData::SafeDownCast(object));
     if (bole::vtkbridge::has_steps(declared.kind))

@@ -48,6 +48,7 @@ class vtkBoleStage::Internals {
   bole::vtkbridge::StageControl control;
   bole::vtkbridge::StopRequests stop;
   bool vertices = true;
+  bool place_points = false;
   std::shared_ptr<bole::vtkbridge::LazyData> given;  // in place of a file
 
   std::optional<bole::vtkbridge::StageExecution> result;  // of the options and inputs as they stood at `result_time`

@@ -206,6 +206,13 @@ void vtkBoleStage::SetGenerateVertices(bool generate) {
 }
 bool vtkBoleStage::GetGenerateVertices() const { return this->Inner->vertices; }
 
+void vtkBoleStage::SetPlacePoints(bool place) {
+  if (this->Inner->place_points == place) return;
+  this->Inner->place_points = place;
+  this->Modified();
+}
+bool vtkBoleStage::GetPlacePoints() const { return this->Inner->place_points; }
+
 void vtkBoleStage::SetControl(bole::vtkbridge::StageControl control) {
   const bool moved =
       control.output_dir != this->Inner->control.output_dir && this->Inner->type && this->Inner->type->writes_files;

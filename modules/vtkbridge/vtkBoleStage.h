@@ -77,6 +77,11 @@ class VTKBOLEBRIDGE_EXPORT vtkBoleStage : public vtkAlgorithm {
   void SetGenerateVertices(bool generate);
   bool GetGenerateVertices() const;
 
+  // Whether clouds lie at their coordinates, in double precision, and not as offsets from their origin (default: no).
+  // In programs that draw them beside tables and terrain, which have coordinates. Stages behind are not affected.
+  void SetPlacePoints(bool place);
+  bool GetPlacePoints() const;
+
   // From any thread, while the stage runs.
   void SetAbortExecute(int abort) override;
   void Finish();

@@ -20,7 +20,13 @@ if [ "$processes" -gt 1 ]; then
   [ "$(id -u)" -ne 0 ] || start+=(--allow-run-as-root)
 fi
 export PYTHONPATH="$prefix/lib/python3/dist-packages:${PYTHONPATH:-}"
-"${start[@]}" pvbatch "$@" 2>&1 | tee "${TMPDIR:-/tmp}/pvbatch_$$.log"
+# A client of pvserver is a Python of its own: pvbatch serves itself.
+program=(pvbatch)
+if [ -n "${BOLE_TEST_CLIENT:-}" ]; then
+  command -v mpirun >/dev/null || skip "mpirun is not installed (package openmpi-bin)"
+  program=(/usr/bin/python3)
+fi
+"${start[@]}" "${program[@]}" "$@" 2>&1 | tee "${TMPDIR:-/tmp}/pvbatch_$$.log"
 # pvbatch ends with 0 after an error in a script: the scripts say how they ended.
 last=$(grep -a -o -E '^bole-test: (passed|failed|skipped.*)' "${TMPDIR:-/tmp}/pvbatch_$$.log" | tail -1 || true)
 rm -f "${TMPDIR:-/tmp}/pvbatch_$$.log"

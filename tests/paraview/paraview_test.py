@@ -27,10 +27,11 @@ def processes():
     return servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
 
 
-def run(test):
+def run(test, load=True):
     """Loads the plugin and runs the test. pvbatch's own exit code says nothing of the script."""
     try:
-        bole_paraview.load_plugin()
+        if load:
+            bole_paraview.load_plugin()
         test(*sys.argv[1:])
         word = "failed" if failures else "passed"
     except Skipped as reason:

@@ -20,7 +20,9 @@ def load_plugin(path=None):
     path = path or os.environ.get("BOLE_PARAVIEW_PLUGIN")
     if not path:
         raise RuntimeError("Where is Bole.so? Give load_plugin() its path, or set BOLE_PARAVIEW_PLUGIN")
-    simple.LoadPlugin(str(path), remote=True)
+    if servermanager.ActiveConnection.IsRemote():
+        simple.LoadPlugin(str(path), remote=True)
+    simple.LoadPlugin(str(path), remote=False)
     if not has_stage("io.read_cloud"):
         raise RuntimeError(f"{path} did not bring the stages of Bole")
 

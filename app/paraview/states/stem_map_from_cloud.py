@@ -22,12 +22,18 @@ def show_terrain(stages, view):
 
 
 def show_points(stages, view):
-    points = simple.OutputPort(stages["edit"], bole_paraview.output_index(stages["edit"], "points"))
+    index = bole_paraview.output_index(stages["edit"], "points")
+    points = simple.OutputPort(stages["edit"], index)
     shown = simple.Show(points, view)
     shown.Representation = "Points"
     shown.PointSize = 1.5
     simple.ColorBy(shown, ("POINTS", "tree_id"))
-    shown.RescaleTransferFunctionToDataRange(False)
+    first, last = stages["edit"][index].PointData["tree_id"].GetRange()
+    colours = simple.GetColorTransferFunction("tree_id")
+    colours.InterpretValuesAsCategories = 1
+    colours.Annotations = [str(i) for tree in range(int(first), int(last) + 1) for i in (tree, tree)]
+    colours.ApplyPreset("KAAMS", True)
+    shown.SetScalarBarVisibility(view, False)
 
 
 def show_stems(stages, view):
@@ -62,12 +68,9 @@ def main(cloud, picture=None, table=None):
     show_stems(stages, view)
     simple.SetActiveView(view)
     simple.ResetCamera(view)
-    camera = simple.GetActiveCamera()
-    camera.Elevation(-60)
-    camera.SetViewUp(0, 0, 1)
-    simple.ResetCamera(view)
-    camera.Dolly(1.4)
-    simple.Render(view)
+    view.ResetActiveCameraToDirection(0.5, 0.8, -0.35, 0, 0, 1)
+    view.ResetCamera(True)
+    simple.GetActiveCamera().Dolly(1.1)
     if picture:
         simple.SaveScreenshot(picture, view)
     if table:
