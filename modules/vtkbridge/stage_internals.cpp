@@ -4,10 +4,12 @@
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
+#include <vtkInformationVector.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -241,6 +243,27 @@ void vtkBoleStage::Internals::tell_extent(vtkDataObject* object, vtkInformation*
   int extent[6]{0, -1, 0, -1, 0, -1};
   if (auto* image = vtkImageData::SafeDownCast(object); image && result) image->GetExtent(extent);
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+}
+
+void vtkBoleStage::Internals::tell_new_extents(vtkInformationVector* outputs) {
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port) {
+    if (type->outputs[static_cast<std::size_t>(port)].kind != bole::DataKind::raster) continue;
+    vtkInformation* info = outputs->GetInformationObject(port);
+    std::array<int, 6> before{}, now{};
+    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), before.data());
+    tell_extent(vtkDataObject::GetData(info), info);
+    info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), now.data());
+    new_extents_ = new_extents_ || now != before;
+  }
+}
+
+// The result stays as it is.
+void vtkBoleStage::Internals::tell_again(vtkBoleStage* self) {
+  if (!new_extents_) return;
+  new_extents_ = false;
+  const bool current = result && result_time_ >= self->GetMTime();
+  self->Modified();
+  if (current) result_time_ = self->GetMTime();
 }
 
 std::size_t vtkBoleStage::Internals::step_wanted(int port, vtkInformation* info) {

@@ -16,6 +16,7 @@
 
 class vtkDataObject;
 class vtkInformation;
+class vtkInformationVector;
 
 namespace bole::vtkbridge {
 
@@ -81,6 +82,10 @@ class vtkBoleStage::Internals {
   // Frames and views as VTK time steps; other outputs have none.
   void tell_times(const bole::pipeline::Port& port, vtkInformation* info);
   void tell_extent(vtkDataObject* object, vtkInformation* info);
+  // After a run: how large an image is. What VTK was told before is then asked for again by tell_again() at the next
+  // update; a change of time during a run counts as part of it and goes unnoticed.
+  void tell_new_extents(vtkInformationVector* outputs);
+  void tell_again(vtkBoleStage* self);
   std::size_t step_wanted(int port, vtkInformation* info);
 
  private:
@@ -90,6 +95,7 @@ class vtkBoleStage::Internals {
   bole::vtkbridge::StageExecution execute(vtkBoleStage* self, const bole::vtkbridge::PortData& inputs);
   std::vector<double> step_times_s(const std::string& port);
 
+  bool new_extents_ = false;
   vtkMTimeType result_time_ = 0;
   bole::vtkbridge::PortData result_inputs_;
   bole::Piece piece_;  // of `result`

@@ -295,6 +295,12 @@ int vtkBoleStage::ProcessRequest(vtkInformation* request, vtkInformationVector**
   return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
+int vtkBoleStage::ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
+                                       vtkInformationVector* outputs, int port, vtkMTimeType* time) {
+  this->Inner->tell_again(this);
+  return this->Superclass::ComputePipelineMTime(request, inputs, outputs, port, time);
+}
+
 bool vtkBoleStage::RequestInformation(vtkInformationVector** /*inputs*/, vtkInformationVector* outputs) {
   if (!this->Inner->type) {
     this->Inner->fail(this, bole::bad_input(this->Inner->wanted_type.empty()
@@ -357,10 +363,8 @@ bool vtkBoleStage::RequestData(vtkInformationVector** inputs, vtkInformationVect
       vtkInformation* info = outputs->GetInformationObject(port);
       this->Inner->fill(port, vtkDataObject::GetData(info), this->Inner->step_wanted(port, info),
                         this->Inner->control.core_only);
-      // Filters that are connected from now on know how large an image is.
-      if (this->Inner->type->outputs[static_cast<std::size_t>(port)].kind == bole::DataKind::raster)
-        this->Inner->tell_extent(vtkDataObject::GetData(info), info);
     }
+    this->Inner->tell_new_extents(outputs);
   });
   if (done && this->Inner->exit_code == 0) return true;
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)

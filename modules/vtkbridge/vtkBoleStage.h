@@ -95,6 +95,10 @@ class VTKBOLEBRIDGE_EXPORT vtkBoleStage : public vtkAlgorithm {
 
   int ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
+  // Asked for at the beginning of every update: the time to tell of extents that the last run has changed.
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs,
+                           int port, vtkMTimeType* time) override;
+
   // For the executor; not seen by the wrappers.
   const bole::pipeline::StageType* GetType() const;
   void SetOptions(const bole::OptionSet& options);

@@ -8,6 +8,7 @@
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkNew.h>
+#include <vtkPassThrough.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
@@ -137,6 +138,20 @@ TEST_F(Stage, OfAReaderThatGivesPiecesAViewGetsPiecesAndAStageTheWhole) {
   points->SetOption("count", 50);
   ask_for_piece(lift, 0, 3);
   EXPECT_EQ(points_of(lift), 50);
+}
+
+TEST_F(Stage, FiltersBehindHearOfTheExtentOfAnImageOnceItIsKnown) {
+  const auto frames = make("toy.frames");
+  const auto grid = make("toy.use_frames");
+  ASSERT_TRUE(grid->ConnectInput("frames", frames, "frames"));
+  vtkNew<vtkPassThrough> behind;  // knows of the image before it is made, and is updated together with it
+  behind->SetInputConnection(grid->GetOutputPort(1));
+  behind->Update();
+  behind->Update();
+  int extent[6]{0, -1, 0, -1, 0, -1};
+  behind->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
+  EXPECT_GE(extent[1], extent[0]);
+  EXPECT_EQ(grid->GetExecutionCount(), 1);
 }
 
 TEST_F(Stage, OptionsChangeTheTimeOnlyWhenTheyChange) {

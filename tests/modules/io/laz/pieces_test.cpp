@@ -8,7 +8,7 @@
 
 #include "io/core/clouds/cloud_writer.h"
 #include "io/core/clouds/see_cloud.h"
-#include "io_test_tools.h"
+#include "modules/io/io_test_tools.h"
 
 namespace bole::io {
 namespace {
