@@ -9,9 +9,9 @@
 #include "cloud/core/sight/cell_heights.h"
 #include "cloud/core/sight/sample.h"
 #include "cloud/core/sight/seen_stems.h"
-#include "cloud/core/sight/stem_axes.h"
 #include "cloud/core/sight/upright_axis.h"
 #include "cloud/robust_mean.h"
+#include "cloud/stem_axes.h"
 
 namespace bole {
 inline namespace cloud {

@@ -8,11 +8,11 @@
 #include "base/error.h"
 #include "base/option.h"
 #include "base/option_text.h"
+#include "cloud/core/height_facts.h"
 #include "cloud/core/laser_facts.h"
 #include "cloud/core/whole/whole_cloud.h"
 #include "cloud/core/whole/whole_size.h"
 #include "cloud/first_sight.h"
-#include "cloud/height_facts.h"
 
 namespace bole {
 inline namespace cloud {

@@ -1,6 +1,6 @@
 // Registers the stages of the module ground.
+#include "cloud/core/height_facts.h"
 #include "cloud/core/regions/point_edits.h"
-#include "cloud/height_facts.h"
 #include "ground/core/given_ground.h"
 #include "ground/core/model_ground.h"
 #include "ground/core/rasters.h"

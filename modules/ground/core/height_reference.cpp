@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/statistics.h"
-#include "cloud/height_facts.h"
+#include "cloud/core/height_facts.h"
 
 namespace bole::ground {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "base/angles.h"
 #include "base/statistics.h"
+#include "cloud/core/height_facts.h"
 #include "cloud/first_sight.h"
-#include "cloud/height_facts.h"
 #include "ground/core/columns.h"
 #include "ground/core/fill_holes.h"
 #include "ground/core/given_ground.h"

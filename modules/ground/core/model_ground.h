@@ -7,7 +7,7 @@
 
 #include "base/report.h"
 #include "base/run.h"
-#include "cloud/height_facts.h"
+#include "cloud/core/height_facts.h"
 #include "cloud/point_cloud.h"
 #include "cloud/raster.h"
 #include "ground/core/options.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "cloud/height_facts.h"
+#include "cloud/core/height_facts.h"
 #include "cloud/point_cloud.h"
 #include "stems/core/tree/tree_axis.h"
 

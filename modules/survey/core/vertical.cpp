@@ -9,9 +9,9 @@
 
 #include "base/angles.h"
 #include "base/transform.h"
-#include "cloud/core/sight/stem_axes.h"
 #include "cloud/known_facts.h"
 #include "cloud/robust_mean.h"
+#include "cloud/stem_axes.h"
 #include "survey/core/ground_plane.h"
 
 namespace bole::survey {

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "base/verdict.h"
-#include "cloud/height_facts.h"
+#include "cloud/core/height_facts.h"
 #include "ground/core/model_ground.h"
 #include "ground/core/scales.h"
 #include "synthetic/terrain.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "cloud/height_facts.h"
+#include "cloud/core/height_facts.h"
 #include "measured.h"
 #include "stems/core/measure_stems.h"
 #include "synthetic/stem_cloud.h"

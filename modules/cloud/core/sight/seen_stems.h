@@ -6,8 +6,8 @@
 
 #include "cloud/core/sight/cell_heights.h"
 #include "cloud/core/sight/sample.h"
-#include "cloud/core/sight/stem_axes.h"
 #include "cloud/first_sight.h"
+#include "cloud/stem_axes.h"
 
 namespace bole {
 inline namespace cloud {

@@ -4,7 +4,7 @@
 
 #include "base/angles.h"
 #include "cloud/core/sight/cell_heights.h"
-#include "cloud/core/sight/stem_axes.h"
+#include "cloud/stem_axes.h"
 
 namespace bole {
 inline namespace cloud {

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "base/angles.h"
-#include "cloud/core/sight/stem_axes.h"
+#include "cloud/stem_axes.h"
 #include "cloud/table_columns.h"
 #include "survey/core/check/stem_measures.h"
 #include "survey/core/post_centre.h"

@@ -1,4 +1,4 @@
-#include "cloud/core/sight/stem_axes.h"
+#include "cloud/stem_axes.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
