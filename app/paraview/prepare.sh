@@ -9,6 +9,9 @@ cannot() { echo "The ParaView plugin is skipped: $1" >&2; exit 3; }
 arch=$(dpkg-architecture -qDEB_HOST_MULTIARCH 2>/dev/null || gcc -print-multiarch)
 [ -d "/usr/lib/$arch/cmake/paraview-5.11" ] || cannot "paraview and paraview-dev 5.11 are not installed (./do paraview installs them)"
 
+version=$(dpkg-query -W -f='${Version}' paraview)
+[ "$(cat "$folder/usr/version" 2>/dev/null)" != "$version" ] || exit 0 # laid out before
+
 python=$folder/python/usr/lib/python3/dist-packages
 programs=$folder/python/usr/bin
 if [ ! -f "$python/paraview/simple.py" ]; then
@@ -16,7 +19,6 @@ if [ ! -f "$python/paraview/simple.py" ]; then
     python=/usr/lib/python3/dist-packages
     programs=/usr/bin
   else
-    version=$(dpkg-query -W -f='${Version}' paraview)
     (cd "$folder" && apt-get download -qq "python3-paraview=$version") || cannot "python3-paraview $version cannot be downloaded"
     dpkg -x "$folder"/python3-paraview_*.deb "$folder/python"
     rm -f "$folder"/python3-paraview_*.deb
@@ -33,3 +35,4 @@ cp -r "/usr/lib/$arch/cmake/paraview-5.11" "$folder/usr/lib/$arch/cmake/"
 # What the wrappers of ParaView's VTK know of its classes, in place of that of libvtk9-dev.
 [ "$python" = /usr/lib/python3/dist-packages ] || ln -sfn "$folder/python/usr/lib/$arch/vtk" "$folder/usr/lib/$arch/vtk"
 ln -sfn "$python" "$folder/usr/lib/python3/dist-packages"
+echo "$version" > "$folder/usr/version"

@@ -490,12 +490,13 @@ TEST(ParaviewXml, HasPortsAndOptionsOfEveryStage) {
   EXPECT_THAT(xml, HasSubstr(R"(min="-100" max="100")"));
   EXPECT_THAT(xml, HasSubstr("<Optional/>"));
   EXPECT_THAT(xml, HasSubstr("<TimeStepsInformationHelper/>"));
-  EXPECT_THAT(xml, HasSubstr(R"(label="By (m)")"));
+  EXPECT_THAT(xml, HasSubstr(R"x(label="By (m)")x"));
   EXPECT_THAT(xml, HasSubstr(R"(name="extra" port_index="1" command="SetInputConnection" null_on_empty="1")"));
   EXPECT_THAT(xml, HasSubstr(R"(command="SetOutputDirectory")"));  // of the stage that writes files
   EXPECT_THAT(xml, HasSubstr(R"(panel_visibility="advanced")"));
   EXPECT_THAT(xml, testing::Not(HasSubstr("ReaderFactory")));
-  const auto opened = pipeline::paraview_xml(pipeline::StageRegistry::global(), {{"toy.points", {"pts xyz", "Points"}}});
+  const auto opened =
+      pipeline::paraview_xml(pipeline::StageRegistry::global(), {{"toy.points", {"pts xyz", "Points"}}});
   EXPECT_THAT(opened, HasSubstr(R"(<ReaderFactory extensions="pts xyz" file_description="Points"/>)"));
 
   // A stage with a class of its own needs no property that names its type.

@@ -18,13 +18,13 @@ using testing::Gt;
 
 const std::filesystem::path octree = BOLE_SOURCE_DIR "/tests/data/copc/octree.copc.laz";
 
-struct Point {
+struct DealtPoint {
   std::array<std::int64_t, 3> steps;
   float intensity;
-  auto operator<=>(const Point&) const = default;
+  auto operator<=>(const DealtPoint&) const = default;
 };
 
-void add_points(std::vector<Point>& points, const PointCloud& cloud) {
+void add_points(std::vector<DealtPoint>& points, const PointCloud& cloud) {
   const auto* intensity = cloud.has(arrays::intensity) ? &cloud.values<float>(arrays::intensity) : nullptr;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3d p = exact_position(cloud, i);
@@ -41,7 +41,7 @@ SeeCloudOptions decided() {
 }
 
 struct Dealt {
-  std::vector<Point> points;
+  std::vector<DealtPoint> points;
   std::vector<std::size_t> sizes;
   bool one_origin = true;
 };
@@ -63,7 +63,7 @@ Dealt deal_out(const std::filesystem::path& path, int pieces, const SeeCloudOpti
 
 void expect_whole(const std::filesystem::path& path, const SeeCloudOptions& options, bool spread) {
   SCOPED_TRACE(path);
-  std::vector<Point> all;
+  std::vector<DealtPoint> all;
   add_points(all, see_cloud(path, options).reading.cloud);
   std::ranges::sort(all);
   ASSERT_FALSE(all.empty());
