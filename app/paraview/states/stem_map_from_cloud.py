@@ -65,7 +65,7 @@ def show_stems(stages, view):
 def main(cloud, picture=None, table=None):
     bole_paraview.load_plugin()
     stages = bole_paraview.open_document("stem_map_from_cloud", {"scan.file": cloud})
-    view = simple.CreateRenderView()
+    view = simple.GetActiveViewOrCreate("RenderView")
     view.ViewSize = [1000, 1000]
     view.Background = [1, 1, 1]
     view.UseColorPaletteForBackground = 0
