@@ -139,6 +139,28 @@ CrossSection cut_through(const Survey& survey, const SectionLine& line, const re
   return section;
 }
 
+std::shared_ptr<const PointCloud> slab_from_disk(const DiskPoints& disk, const SectionLine& line, const Run& run) {
+  constexpr double picture_px = 2000;  // across
+  io::copc::CopcTree::Query query;
+  query.spacing = line.length_m() / picture_px;
+  for (const auto& end : {line.from, line.to})
+    for (const double side : {-0.5, 0.5}) {
+      const Eigen::Vector2d corner = end + side * line.width_m * line.behind();
+      const bool first = end == line.from && side < 0;
+      query.box.min.head<2>() = first ? corner : query.box.min.head<2>().cwiseMin(corner).eval();
+      query.box.max.head<2>() = first ? corner : query.box.max.head<2>().cwiseMax(corner).eval();
+    }
+  // Of a slanting line most of the box is not in the slab.
+  query.meets = [&](const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
+    const Eigen::Vector2d half = (high - low).head<2>() / 2;
+    const Eigen::Vector2d at = line.along_and_off((low + high).head<2>() / 2);
+    const double reach_along = half.dot(line.direction().cwiseAbs()), reach_off = half.dot(line.behind().cwiseAbs());
+    return at.x() + reach_along >= 0 && at.x() - reach_along <= line.length_m() &&
+           std::abs(at.y()) <= line.width_m / 2 + reach_off;
+  };
+  return disk.points_in(query, run);
+}
+
 double path_length_m(const std::vector<Eigen::Vector2d>& path) {
   double length = 0;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) length += (path[i + 1] - path[i]).norm();

@@ -34,6 +34,10 @@ struct CrossSection {
 CrossSection cut_through(const Survey& survey, const SectionLine& line, const render::PointPaint& paint,
                          const std::vector<render::StemShape>& stems);
 
+// The points of the slab of a cloud on disk, every point once: no finer than the picture of the section can show. For
+// threads other than that of the window. Throws bole::Error.
+std::shared_ptr<const PointCloud> slab_from_disk(const DiskPoints& disk, const SectionLine& line, const Run& run);
+
 // A line across a path at a distance from its beginning, `half_m` to either side; nothing beyond its ends, or where the
 // path is a point.
 std::optional<SectionLine> line_across(const std::vector<Eigen::Vector2d>& path, double at_m, double half_m,

@@ -40,6 +40,10 @@ PointIndex::PointIndex(std::shared_ptr<const PointCloud> cloud, std::shared_ptr<
   });
 }
 
+PointIndex::PointIndex(std::shared_ptr<DiskPoints> disk) : disk_(std::move(disk)) {
+  take(std::make_shared<const render::PointOctree>(*disk_->coarse()));
+}
+
 void PointIndex::build_in_thread(std::function<std::shared_ptr<const render::PointOctree>(const Run&)> make) {
   builder_ = std::jthread([this, make = std::move(make)](const std::stop_token& cancel) {
     Run in_background;
@@ -73,6 +77,14 @@ std::vector<std::uint32_t> PointIndex::in_box(const PointCloud& cloud, const Eig
     if ((positions[i].array() >= lo.array()).all() && (positions[i].array() <= hi.array()).all())
       found.push_back(static_cast<std::uint32_t>(i));
   return found;
+}
+
+render::PointSet PointIndex::points_at_once(const std::shared_ptr<const PointCloud>& cloud, const Eigen::Vector3d& lo,
+                                            const Eigen::Vector3d& hi) const {
+  if (!disk_) return {cloud, in_box(*cloud, (lo - cloud->origin).cast<float>(), (hi - cloud->origin).cast<float>())};
+  render::PointSet set{disk_->loaded_in(lo, hi), {}};
+  for (std::uint32_t i = 0; i < set.cloud->size(); ++i) set.indices.push_back(i);
+  return set;
 }
 
 void PointIndex::take(std::shared_ptr<const render::PointOctree> octree) {

@@ -831,6 +831,18 @@
             <source>Lessons</source>
             <translation>课程</translation>
         </message>
+        <message>
+            <source>Memory for points on disk</source>
+            <translation>磁盘点云的内存</translation>
+        </message>
+        <message>
+            <source>%1 MiB</source>
+            <translation>%1 MiB</translation>
+        </message>
+        <message>
+            <source>%1 GiB</source>
+            <translation>%1 GiB</translation>
+        </message>
     </context>
     <context>
         <name>bole::desktop::MeasurePanel</name>
@@ -2994,6 +3006,14 @@
             <source>no inertial unit</source>
             <translation>无惯性单元</translation>
         </message>
+        <message>
+            <source>shown from the disk</source>
+            <translation>从磁盘显示</translation>
+        </message>
+        <message>
+            <source>The points take more than the memory for them (%1 MiB): the window shows the cloud from the disk and loads what is seen. A run reads all %2 points, about %3 GiB. Where that is too much, run the pipeline in tiles: bole campaign.</source>
+            <translation>点所需内存超过为其设定的内存(%1 MiB):窗口从磁盘显示点云,只加载看到的部分。运行会读取全部 %2 个点,约 %3 GiB。若太大,请分块运行处理流程:bole campaign。</translation>
+        </message>
     </context>
     <context>
         <name>bole::desktop::NextStep</name>
@@ -3046,6 +3066,10 @@
         <message>
             <source>Look at the next doubtful stem</source>
             <translation>查看下一株可疑单木</translation>
+        </message>
+        <message>
+            <source>larger than the memory for points: an index is built once, %1 %</source>
+            <translation>超过点的内存:正在建立一次性索引,%1 %</translation>
         </message>
     </context>
     <context>

@@ -6,6 +6,8 @@
 
 #include "cloud/core/view_source.h"
 #include "cloud/scan_frame.h"
+#include "document/disk_memory.h"
+#include "running/disk_view.h"
 
 namespace bole::desktop {
 namespace {
@@ -40,14 +42,22 @@ void show_points(FirstSeen& seen, const std::shared_ptr<const PointCloud>& point
   seen.survey.index = std::make_shared<const PointIndex>(points, run);
 }
 
+QString words_of_size(const Eigen::Vector3d& size) {
+  return FirstLook::tr("%1 × %2 × %3 m").arg(size.x(), 0, 'f', 0).arg(size.y(), 0, 'f', 0).arg(size.z(), 0, 'f', 0);
+}
+
+QString words_of_crs(const std::string& wkt) {
+  return wkt.empty() ? FirstLook::tr("no coordinate system")
+                     : QString::fromStdString(wkt.substr(0, wkt.find(','))).section('"', 1, 1);
+}
+
 QString extent_of(const PointCloud& cloud) {
   Eigen::Vector3f lo = cloud.positions().front(), hi = lo;
   for (const auto& p : cloud.positions()) {
     lo = lo.cwiseMin(p);
     hi = hi.cwiseMax(p);
   }
-  const Eigen::Vector3f size = hi - lo;
-  return FirstLook::tr("%1 × %2 × %3 m").arg(size.x(), 0, 'f', 0).arg(size.y(), 0, 'f', 0).arg(size.z(), 0, 'f', 0);
+  return words_of_size((hi - lo).cast<double>());
 }
 
 void describe_cloud(FirstSeen& seen, const PointCloud& cloud, const Report& report) {
@@ -60,9 +70,7 @@ void describe_cloud(FirstSeen& seen, const PointCloud& cloud, const Report& repo
   const auto stems = report.counts.find("stems_in_sight");
   if (stems != report.counts.end() && stems->second > 0)
     seen.facts << FirstLook::tr("about %1 stems").arg(counted(stems->second));
-  seen.facts << (cloud.crs_wkt.empty()
-                     ? FirstLook::tr("no coordinate system")
-                     : QString::fromStdString(cloud.crs_wkt.substr(0, cloud.crs_wkt.find(','))).section('"', 1, 1));
+  seen.facts << words_of_crs(cloud.crs_wkt);
 }
 
 void describe_scan(FirstSeen& seen, const FrameSource& source) {
@@ -94,6 +102,28 @@ void show_first_frame(FirstSeen& seen, const FrameSource& source, const Run& run
   }
 }
 
+FirstSeen look_from_disk(const std::filesystem::path& file, const Run& run) {
+  FirstSeen seen;
+  const auto disk = open_on_disk(file, disk_memory_bytes(), run);
+  const auto& info = disk->tree().info();
+  const auto points = counted(static_cast<std::int64_t>(info.points));
+  const Eigen::Vector3d size = info.max - info.min;
+  seen.facts << FirstLook::tr("%1 points").arg(points) << words_of_size(size) << FirstLook::tr("shown from the disk")
+             << words_of_crs(info.crs_wkt);
+  for (const auto& sentence : disk->damage()) seen.warnings << QString::fromStdString(sentence);
+  const double gib = bytes_in_memory(info) / (1 << 30);
+  seen.large = FirstLook::tr(
+                   "The points take more than the memory for them (%1 MiB): the window shows the cloud from the "
+                   "disk and loads what is seen. A run reads all %2 points, about %3 GiB. Where that is too "
+                   "much, run the pipeline in tiles: bole campaign.")
+                   .arg(disk_memory_mib())
+                   .arg(points)
+                   .arg(gib, 0, 'f', 1);
+  seen.survey.points = disk->coarse();
+  seen.survey.index = std::make_shared<const PointIndex>(disk);
+  return seen;
+}
+
 }  // namespace
 
 const pipeline::StageNode* input_stage(const pipeline::PipelineDocument& document) {
@@ -105,9 +135,16 @@ const pipeline::StageNode* input_stage(const pipeline::PipelineDocument& documen
 }
 
 FirstSeen look_at_input(const pipeline::StageNode& node, const Run& run) {
+  if (const auto large = cloud_for_disk(node, disk_memory_bytes())) {
+    auto from_disk = look_from_disk(*large, run);
+    from_disk.file = file_of(node);
+    return from_disk;
+  }
   FirstSeen seen;
   seen.file = file_of(node);
-  const auto result = pipeline::run_stage(*node.type, {}, node.options, run);
+  Run quiet = run;
+  quiet.progress = {};
+  const auto result = pipeline::run_stage(*node.type, {}, node.options, quiet);
   for (const auto& warning : result.report.warnings) seen.warnings << QString::fromStdString(warning);
   const auto& outputs = result.outputs;
   if (outputs.has("points") && gives(*node.type, "points")) {
@@ -147,6 +184,11 @@ void FirstLook::look(const pipeline::PipelineDocument& document) {
     try {
       Run run;
       run.cancel = cancel;
+      run.progress = [&, file = file_of(copy), shown = -1.0](double fraction, std::string_view) mutable {
+        if (fraction < shown + 0.01) return;
+        shown = fraction;
+        answer([this, file, fraction] { Q_EMIT preparing(file, fraction); });
+      };
       auto seen = std::make_shared<const FirstSeen>(look_at_input(copy, run));
       answer([this, seen] { Q_EMIT this->seen(seen); });
     } catch (const std::exception& e) {

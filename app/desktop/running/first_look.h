@@ -18,6 +18,7 @@ struct FirstSeen {
   QStringList facts;       // short phrases, the most telling one first: "1 204 311 points", "49 × 52 × 22 m"
   QStringList warnings;    // of the reader
   Survey survey;           // a thinned cloud, or a frame of a recording; empty of pictures
+  QString large;           // what a run would have to read, where the cloud is shown from the disk
   bool of_sensor = false;  // a frame, in the axes of the sensor: what a run shows lies elsewhere
 };
 
@@ -25,7 +26,8 @@ struct FirstSeen {
 // when there is none, or its file is not given.
 const pipeline::StageNode* input_stage(const pipeline::PipelineDocument& document);
 
-// Runs that stage and looks at what it gives. Throws bole::Error.
+// Runs that stage and looks at what it gives; a cloud whose points take more than the memory for them is opened on the
+// disk instead. Throws bole::Error.
 FirstSeen look_at_input(const pipeline::StageNode& node, const Run& run);
 
 class FirstLook : public QObject {
@@ -41,6 +43,7 @@ class FirstLook : public QObject {
  Q_SIGNALS:
   void seen(const std::shared_ptr<const bole::desktop::FirstSeen>& what);
   void failed(const QString& why);
+  void preparing(const QString& file, double fraction);  // the index of a cloud that is too large for memory
 
  private:
   int count_ = 0;                      // answers about a document that was closed are dropped

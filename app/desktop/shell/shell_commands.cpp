@@ -1,5 +1,6 @@
 #include "shell/shell_commands.h"
 
+#include "document/disk_memory.h"
 #include "look/language.h"
 #include "look/theme.h"
 #include "shell/main_window.h"
@@ -40,6 +41,21 @@ void add_theme_commands(MainWindow& window) {
   add("theme.dark", MainWindow::tr("Dark"), Theme::dark);
 }
 
+// What is opened from then on keeps to it.
+void add_memory_commands(MainWindow& window) {
+  window.commands().add_submenu({.id = "memory.menu",
+                                 .title = MainWindow::tr("Memory for points on disk"),
+                                 .place = in_menu(Menu::view, window_section)});
+  for (const int mib : disk_memory_choices_mib)
+    window.commands().add(
+        {.id = QString("memory.%1").arg(mib),
+         .text = mib < 1024 ? MainWindow::tr("%1 MiB").arg(mib) : MainWindow::tr("%1 GiB").arg(mib / 1024),
+         .places = {in_submenu("memory.menu")},
+         .turn = [mib](bool) { save_disk_memory_mib(mib); },
+         .checked_when = [mib] { return disk_memory_mib() == mib; },
+         .group = "memory"});
+}
+
 void add_language_commands(MainWindow& window) {
   window.commands().add_submenu(
       {.id = "language.menu", .title = MainWindow::tr("Language"), .place = in_menu(Menu::view, window_section)});
@@ -58,6 +74,7 @@ void install_shell_commands(MainWindow& window) {
   add_mode_commands(window);
   add_layout_menus(window);
   add_theme_commands(window);
+  add_memory_commands(window);
   add_language_commands(window);
   add_palette_command(window);
   add_help_commands(window);

@@ -12,6 +12,7 @@ void add_file_commands(MainWindow& window);
 void add_mode_commands(MainWindow& window);
 void add_layout_menus(MainWindow& window);
 void add_theme_commands(MainWindow& window);
+void add_memory_commands(MainWindow& window);
 void add_language_commands(MainWindow& window);
 void add_palette_command(MainWindow& window);
 void add_help_commands(MainWindow& window);

@@ -70,7 +70,7 @@ void SceneView::before_frame() {
 void SceneView::after_frame() {
   if (moving_) return rest_.start(rest_ms);
   if (!complete_) return rest_.start(0);
-  if (!settings_.eye_dome || rendering_) return;
+  if (!settings_.eye_dome || rendering_ || layer_.awaited() > 0) return;
   const int* size = renderWindow()->GetSize();
   render::EyeDomeOptions shading;
   shading.radius_px = 1.6 * devicePixelRatioF();
@@ -111,7 +111,7 @@ void SceneView::place_furniture() {
   const double mm = f.width_mm / std::max(1, renderWindow()->GetSize()[0]);  // a picture may have more pixels
   add_trees(f, view, mm);
   SceneDrawing mark;
-  if (picked_ && survey_.points && *picked_ < survey_.points->size()) mark.marks = {survey_.points->position(*picked_)};
+  if (picked_) mark.marks = {picked_->position()};
   add_to(f, mark, view, mm);
   for (const auto& [layer, drawings] : drawings_)
     for (const auto& drawing : drawings) add_to(f, drawing, view, mm);

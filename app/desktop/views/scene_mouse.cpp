@@ -18,10 +18,13 @@ const std::string outline_layer = "outline";
 
 }  // namespace
 
-std::optional<std::uint32_t> SceneView::point_at(const QPoint& at) {
+std::optional<render::PickedPoint> SceneView::point_at(const QPoint& at) {
   if (!survey_.points) return {};
-  return render::pick_point(pick_view(), *survey_.points, layer_.drawn_points(), to_pixels(at),
-                            pick_reach_px * devicePixelRatioF());
+  return render::pick_point(pick_view(), layer_.drawn_points(), to_pixels(at), pick_reach_px * devicePixelRatioF());
+}
+
+std::optional<std::uint32_t> SceneView::picked() const {
+  return picked_ && picked_->cloud == survey_.points ? std::optional(picked_->index) : std::nullopt;
 }
 
 void SceneView::pick(const QPoint& at) {
@@ -31,7 +34,7 @@ void SceneView::pick(const QPoint& at) {
   picked_ = point_at(at);
   if (const auto camera = cameras_.at(view, to_pixels(at), line_px * devicePixelRatioF())) {
     // A camera is hidden by points before it.
-    const auto point = picked_ ? render::on_screen(view, survey_.points->position(*picked_)) : std::nullopt;
+    const auto point = picked_ ? render::on_screen(view, picked_->position()) : std::nullopt;
     if (!point || camera->depth <= point->depth) {
       picked_.reset();
       Q_EMIT point_picked({});
@@ -40,13 +43,14 @@ void SceneView::pick(const QPoint& at) {
     }
   }
   if (picked_) {
-    for (const auto& line : render::describe_point(*survey_.points, *picked_)) facts_ << QString::fromStdString(line);
-    if (survey_.points->has(arrays::tree_id))
-      if (const auto id = survey_.points->values<std::int32_t>(arrays::tree_id)[*picked_]; id > 0) tree = id;
+    for (const auto& line : render::describe_point(*picked_->cloud, picked_->index))
+      facts_ << QString::fromStdString(line);
+    if (picked_->cloud->has(arrays::tree_id))
+      if (const auto id = picked_->cloud->values<std::int32_t>(arrays::tree_id)[picked_->index]; id > 0) tree = id;
   }
   if (const auto stem = render::pick_stem(view, shapes_, to_pixels(at), 2 * devicePixelRatioF())) {
     // A stem hides what lies behind it, and is hidden by points before it.
-    const auto point = picked_ ? render::on_screen(view, survey_.points->position(*picked_)) : std::nullopt;
+    const auto point = picked_ ? render::on_screen(view, picked_->position()) : std::nullopt;
     if (!tree && (!point || stem->depth <= point->depth)) tree = stem->tree_id;
   }
   if (tree && survey_.row_of(*tree)) selection_.select(tree);
@@ -65,17 +69,23 @@ void SceneView::set_place_taker(const QObject* taker, Takes takes) {
 }
 
 // A stem is opaque: what is seen there is its bark.
-bool SceneView::behind_a_stem(std::uint32_t point, const QPoint& at) {
+bool SceneView::behind_a_stem(const Eigen::Vector3d& point, const QPoint& at) {
   const auto view = pick_view();
   const auto stem = render::pick_stem(view, shapes_, to_pixels(at), 0);
-  const auto place = render::on_screen(view, survey_.points->position(point));
+  const auto place = render::on_screen(view, point);
   return stem && place && place->depth > stem->depth + behind_m;
 }
 
+void SceneView::give_place(const render::PickedPoint& point) {
+  taken_cloud_ = point.cloud;
+  Q_EMIT place_taken(exact_position(*point.cloud, point.index), point.index);
+}
+
 void SceneView::take_place(const QPoint& at) {
-  if (const auto point = point_at(at); point && !behind_a_stem(*point, at)) {
-    Q_EMIT place_taken(exact_position(*survey_.points, *point), *point);
+  if (const auto point = point_at(at); point && !behind_a_stem(point->position(), at)) {
+    give_place(*point);
   } else if (const auto ground = render::on_plane(pick_view(), to_pixels(at), whole().lo.z())) {
+    taken_cloud_ = nullptr;
     Q_EMIT place_taken(*ground, QVariant());
   }
 }
@@ -87,7 +97,7 @@ void SceneView::drop_outline() {
 }
 
 void SceneView::take_stroke(const QPoint& at, bool begins) {
-  if (const auto point = point_at(at)) Q_EMIT stroke_taken(survey_.points->position(*point), begins);
+  if (const auto point = point_at(at)) Q_EMIT stroke_taken(point->position(), begins);
 }
 
 SceneOutline SceneView::outline_drawn() {
@@ -191,7 +201,7 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
   double_clicked_ = true;
   Eigen::Vector3d place;
   if (const auto point = point_at(event->pos()))
-    place = survey_.points->position(*point) - origin_;
+    place = point->position() - origin_;
   else if (const auto stem = render::pick_stem(pick_view(), shapes_, to_pixels(event->pos()), 0))
     place = stem_place_of(stem->tree_id) - origin_;
   else

@@ -63,6 +63,10 @@ void SceneView::measure_extent() {
 
 render::ClipBox SceneView::everything() const {
   if (!survey_.points || survey_.points->empty()) return whole_;
+  if (survey_.index && survey_.index->disk()) {
+    const auto& info = survey_.index->disk()->tree().info();
+    return {info.min, info.max};
+  }
   Eigen::Vector3f lo = survey_.points->positions().front(), hi = lo;
   for (const auto& p : survey_.points->positions())
     if (p.allFinite()) {
@@ -98,7 +102,7 @@ void SceneView::mark_points(const std::vector<std::uint32_t>& points) {
 void SceneView::rebuild() {
   if (marked_) renderer_->RemoveActor(marked_);
   marked_ = nullptr;
-  layer_.show(nullptr, nullptr, origin_);
+  layer_.show(nullptr, origin_);
   for (const auto& actor : actors_) renderer_->RemoveActor(actor);
   actors_.clear();
   const auto add = [this](vtkSmartPointer<vtkActor> actor) {
@@ -111,7 +115,7 @@ void SceneView::rebuild() {
   if (survey_.points) {
     repaint_points();
     layer_.set_filter(settings_.filter);
-    layer_.show(survey_.points, survey_.index ? survey_.index->octree() : nullptr, origin_);
+    show_points();
   }
   // Plants of rows have places only.
   if (survey_.stems && survey_.stems->rows() > 0 && survey_.stems->has("dbh_cm") && survey_.stems->has("z_m")) {

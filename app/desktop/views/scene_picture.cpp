@@ -7,6 +7,7 @@
 #include <vtkWindowToImageFilter.h>
 
 #include <QImage>
+#include <QThread>
 #include <algorithm>
 #include <cmath>
 
@@ -17,6 +18,7 @@ namespace bole::desktop {
 namespace {
 
 constexpr int max_side_px = 12000, max_frames = 60;  // frames until all points are loaded
+constexpr int wait_ms = 50, max_waits = 400;         // for points that come from the disk
 
 QImage image_of(vtkRenderWindow* window) {
   vtkNew<vtkWindowToImageFilter> read;
@@ -52,6 +54,10 @@ QImage SceneView::picture(int width_px, bool transparent) {
   layer_.set_point_size(settings_.point_size_px * scale);
   window->SetSize(width_px, height_px);
   for (int frame = 0; frame == 0 || (!complete_ && frame < max_frames); ++frame) window->Render();
+  for (int wait = 0; (layer_.awaited() > 0 || !complete_) && wait < max_waits; ++wait) {
+    QThread::msleep(wait_ms);
+    window->Render();
+  }
   QImage picture = image_of(window);
   if (!transparent) picture = picture.convertToFormat(QImage::Format_RGB888);
   renderer_->SetBackgroundAlpha(alpha);

@@ -107,16 +107,29 @@ void SceneView::show_survey(const Survey& survey) {
   Q_EMIT settings_changed();
 }
 
-// Until the octree is built the points are a sample of the cloud.
+void SceneView::show_points() {
+  if (survey_.index && survey_.index->disk())
+    layer_.show(survey_.index->disk(), origin_);
+  else
+    layer_.show(survey_.points, survey_.index ? survey_.index->octree() : nullptr, origin_);
+}
+
+// Until the octree is built the points are a sample of the cloud; those on disk arrive by and by.
 void SceneView::follow_index() {
-  if (!survey_.index || survey_.index->complete()) return;
+  disconnect(arrivals_);
+  if (!survey_.index) return;
+  if (const auto& disk = survey_.index->disk())
+    arrivals_ = connect(disk.get(), &DiskPoints::arrived, this, [this, disk = disk.get()] {
+      if (survey_.index && survey_.index->disk().get() == disk && !moving_) redraw();
+    });
+  if (survey_.index->complete()) return;
   connect(survey_.index.get(), &PointIndex::built, this, [this, index = survey_.index.get()] {
     if (survey_.index.get() != index) return;
-    layer_.show(survey_.points, survey_.index->octree(), origin_);
+    show_points();
     redraw();
     Q_EMIT index_built();
   });
-  if (survey_.index->complete()) layer_.show(survey_.points, survey_.index->octree(), origin_);  // in between
+  if (survey_.index->complete()) show_points();  // in between
 }
 
 void SceneView::set_settings(const ViewSettings& settings) {

@@ -80,7 +80,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
 
   // The point under a place of the widget; selects its tree, or the stem there.
   void pick(const QPoint& at);
-  std::optional<std::uint32_t> picked() const { return picked_; }
+  std::optional<std::uint32_t> picked() const;  // where it is a point of the survey, and not of a cloud on disk
 
   // While somebody takes places, a click gives one to all who listen instead of selecting what is there. One at a time:
   // a taker that hears of another one stops. Null: nobody. Where outlines are taken the left button draws one. Where
@@ -89,6 +89,10 @@ class SceneView : public QVTKOpenGLNativeWidget {
   enum class Takes { places, outlines, corners, strokes };
   void set_place_taker(const QObject* taker, Takes takes = Takes::places);
   const QObject* place_taker() const { return place_taker_; }
+  // Gives the place of a point to all who listen.
+  void give_place(const render::PickedPoint& point);
+  // The cloud of the point that was given last: that of the survey, or a part of a cloud on disk.
+  const std::shared_ptr<const PointCloud>& taken_cloud() const { return taken_cloud_; }
   void drop_outline();
   // Points of the survey that stand out until others do, or another survey is shown. At most 300 000 are drawn.
   void mark_points(const std::vector<std::uint32_t>& points);
@@ -120,14 +124,14 @@ class SceneView : public QVTKOpenGLNativeWidget {
 
   int actor_count();  // of things that are shown, the cloud as one
   std::size_t drawn_points() const { return layer_.drawn(); }
-  bool refined() const { return complete_ && !moving_; }
+  bool refined() const { return complete_ && !moving_ && layer_.awaited() == 0; }
   // One frame as it is drawn while the camera moves; seconds. For the frame-rate test and benchmark.
   double draw_moving_frame();
   double frame_target_s() const;
 
  Q_SIGNALS:
   void point_picked(const QStringList& facts);
-  void place_taken(const Eigen::Vector3d& place, const QVariant& point);  // index of the point, null on bare ground
+  void place_taken(const Eigen::Vector3d& place, const QVariant& point);  // index in taken_cloud(), null on bare ground
   void outline_taken(const SceneOutline& outline);
   void stroke_taken(const Eigen::Vector3d& place, bool begins);
   void stroke_ended();
@@ -152,6 +156,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
  private:
   void follow_theme();
   void follow_index();
+  void show_points();
   void rebuild();
   void repaint_points();
   void take_trees();
@@ -173,10 +178,10 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::vector<double> sorted_sample(int axis) const;
   render::PickView pick_view();
   Eigen::Vector2d to_pixels(const QPoint& at) const;
-  std::optional<std::uint32_t> point_at(const QPoint& at);
+  std::optional<render::PickedPoint> point_at(const QPoint& at);
   std::optional<Grip> grip_at(const QPoint& at);
   bool click_drawing(const QPoint& at);
-  bool behind_a_stem(std::uint32_t point, const QPoint& at);
+  bool behind_a_stem(const Eigen::Vector3d& point, const QPoint& at);
   void take_place(const QPoint& at);
   Eigen::Vector3d stem_place_of(std::int64_t tree) const;  // at breast height; the centre when it is not drawn
   void draw_outline();
@@ -214,11 +219,13 @@ class SceneView : public QVTKOpenGLNativeWidget {
   double grid_step_m_ = 0;
   std::unique_ptr<ClipHandles> clip_handles_;
   std::map<std::string, std::vector<SceneDrawing>> drawings_;
-  std::optional<std::uint32_t> picked_;
+  std::optional<render::PickedPoint> picked_;
+  std::shared_ptr<const PointCloud> taken_cloud_;
   QStringList facts_;
 
   static constexpr int rest_ms = 150;  // without a movement, until all points are drawn
   QTimer rest_;
+  QMetaObject::Connection arrivals_;  // of points from the disk
   bool moving_ = false, complete_ = true, timed_ = false;
   const QObject* place_taker_ = nullptr;
   Takes takes_ = Takes::places;

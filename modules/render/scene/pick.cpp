@@ -74,14 +74,16 @@ std::optional<Eigen::Vector3d> on_plane(const PickView& view, const Eigen::Vecto
   return near + t * along;
 }
 
-std::optional<std::uint32_t> pick_point(const PickView& view, const PointCloud& cloud,
-                                        std::span<const std::uint32_t> indices, const Eigen::Vector2d& at_px,
-                                        double reach_px) {
-  struct Near {
-    std::uint32_t index;
-    double px, w;
-  };
-  std::vector<Near> near;
+namespace {
+
+struct NearPoint {
+  std::size_t set;
+  std::uint32_t index;
+  double px, w;
+};
+
+void add_near(const PickView& view, const PointCloud& cloud, std::span<const std::uint32_t> indices,
+              const Eigen::Vector2d& at_px, double reach_px, std::size_t set, std::vector<NearPoint>& near) {
   Eigen::Matrix4d translate = Eigen::Matrix4d::Identity();
   translate.topRightCorner<3, 1>() = cloud.origin - view.origin;
   const Eigen::Matrix4d m = view.world_to_clip * translate;
@@ -92,14 +94,37 @@ std::optional<std::uint32_t> pick_point(const PickView& view, const PointCloud& 
     const Eigen::Vector2d px((clip.x() / clip.w() + 1) / 2 * view.width_px,
                              (clip.y() / clip.w() + 1) / 2 * view.height_px);
     // In a parallel view w is one everywhere; z orders the points there.
-    if (const double d = (px - at_px).norm(); d <= reach_px) near.push_back({i, d, clip.w() + clip.z()});
+    if (const double d = (px - at_px).norm(); d <= reach_px) near.push_back({set, i, d, clip.w() + clip.z()});
   }
-  if (near.empty()) return {};
-  const auto front = std::ranges::min_element(near, {}, &Near::w);
+}
+
+const NearPoint* best_of(const std::vector<NearPoint>& near) {
+  if (near.empty()) return nullptr;
+  const auto front = std::ranges::min_element(near, {}, &NearPoint::w);
   auto best = front;
   for (auto n = near.begin(); n != near.end(); ++n)
     if (n->w <= front->w + same_depth * std::abs(front->w) && n->px < best->px) best = n;
-  return best->index;
+  return &*best;
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> pick_point(const PickView& view, const PointCloud& cloud,
+                                        std::span<const std::uint32_t> indices, const Eigen::Vector2d& at_px,
+                                        double reach_px) {
+  std::vector<NearPoint> near;
+  add_near(view, cloud, indices, at_px, reach_px, 0, near);
+  const auto* best = best_of(near);
+  return best == nullptr ? std::nullopt : std::optional(best->index);
+}
+
+std::optional<PickedPoint> pick_point(const PickView& view, const std::vector<PointSet>& drawn,
+                                      const Eigen::Vector2d& at_px, double reach_px) {
+  std::vector<NearPoint> near;
+  for (std::size_t k = 0; k < drawn.size(); ++k)
+    add_near(view, *drawn[k].cloud, drawn[k].indices, at_px, reach_px, k, near);
+  const auto* best = best_of(near);
+  return best == nullptr ? std::nullopt : std::optional(PickedPoint{drawn[best->set].cloud, best->index});
 }
 
 std::optional<PickedStem> pick_stem(const PickView& view, const std::vector<StemShape>& stems,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cloud/point_cloud.h"
+#include "render/scene/point_nodes.h"
 #include "render/scene/stem_shapes.h"
 
 namespace bole::render {
@@ -48,6 +49,15 @@ Eigen::Vector3d at_depth(const PickView& view, const Eigen::Vector2d& at_px, dou
 std::optional<std::uint32_t> pick_point(const PickView& view, const PointCloud& cloud,
                                         std::span<const std::uint32_t> indices, const Eigen::Vector2d& at_px,
                                         double reach_px);
+
+// The same of several clouds.
+struct PickedPoint {
+  std::shared_ptr<const PointCloud> cloud;
+  std::uint32_t index = 0;
+  Eigen::Vector3d position() const { return cloud->position(index); }
+};
+std::optional<PickedPoint> pick_point(const PickView& view, const std::vector<PointSet>& drawn,
+                                      const Eigen::Vector2d& at_px, double reach_px);
 
 struct PickedStem {
   std::int64_t tree_id = 0;

@@ -20,8 +20,7 @@
 namespace bole::render {
 namespace {
 
-constexpr double min_px = 0.7;                   // finer detail than this between points is not seen
-constexpr std::size_t kept_points = 12'000'000;  // that stay prepared, drawn or not
+constexpr double min_px = 0.7;  // finer detail than this between points is not seen
 
 // Eye coordinates of the layer are relative to `origin`; the octree's are relative to the cloud's.
 OctreeView view_of(vtkRenderer* renderer, const Eigen::Vector3d& shift) {
@@ -34,11 +33,9 @@ OctreeView view_of(vtkRenderer* renderer, const Eigen::Vector3d& shift) {
 
 }  // namespace
 
-void PointLayer::show(std::shared_ptr<const PointCloud> cloud, std::shared_ptr<const PointOctree> octree,
-                      const Eigen::Vector3d& origin) {
+void PointLayer::show(std::shared_ptr<PointNodes> nodes, const Eigen::Vector3d& origin) {
   clear();
-  cloud_ = std::move(cloud);
-  octree_ = std::move(octree);
+  nodes_ = std::move(nodes);
   origin_ = origin;
   set_clip(clip_);  // its planes are relative to the origin
 }
@@ -87,23 +84,21 @@ void PointLayer::clear() {
   for (auto& [i, tile] : tiles_)
     if (tile.actor && renderer_) renderer_->RemoveActor(tile.actor);
   tiles_.clear();
-  drawn_ = 0;
+  drawn_ = awaited_ = 0;
 }
 
-PointLayer::Tile PointLayer::make_tile(const PointOctree::Node& node) const {
+PointLayer::Tile PointLayer::make_tile(PointSet all) const {
   Tile tile;
-  const auto all = octree_->points(node);
-  const auto* heights = cloud_->has(arrays::height_above_ground)
-                            ? std::get_if<std::vector<float>>(&cloud_->column(arrays::height_above_ground.name))
-                            : nullptr;
-  const bool unfiltered = filter_.everything();
-  for (const auto i : all) {
-    if (!unfiltered) {
-      const Eigen::Vector3d p = cloud_->position(i);
-      const double height = heights != nullptr ? static_cast<double>((*heights)[i]) : p.z();
-      if (!(height >= filter_.height.lo && height <= filter_.height.hi)) continue;
-    }
-    tile.indices.push_back(i);
+  const auto& cloud = *all.cloud;
+  tile.indices = std::move(all.indices);
+  if (!filter_.everything()) {
+    const auto* heights = cloud.has(arrays::height_above_ground)
+                              ? std::get_if<std::vector<float>>(&cloud.column(arrays::height_above_ground.name))
+                              : nullptr;
+    std::erase_if(tile.indices, [&](std::uint32_t i) {
+      const double height = heights != nullptr ? static_cast<double>((*heights)[i]) : cloud.position(i).z();
+      return !(height >= filter_.height.lo && height <= filter_.height.hi);
+    });
   }
   const auto n = static_cast<vtkIdType>(tile.indices.size());
   if (n == 0) return tile;
@@ -111,15 +106,15 @@ PointLayer::Tile PointLayer::make_tile(const PointOctree::Node& node) const {
   points->SetDataTypeToFloat();
   points->SetNumberOfPoints(n);
   auto* coordinates = static_cast<float*>(points->GetVoidPointer(0));
-  const Eigen::Vector3f shift = (cloud_->origin - origin_).cast<float>();
+  const Eigen::Vector3f shift = (cloud.origin - origin_).cast<float>();
   for (const auto i : tile.indices) {
-    const Eigen::Vector3f p = cloud_->positions()[i] + shift;
+    const Eigen::Vector3f p = cloud.positions()[i] + shift;
     coordinates = std::copy(p.data(), p.data() + 3, coordinates);
   }
   vtkNew<vtkUnsignedCharArray> colors;
   colors->SetNumberOfComponents(3);
   colors->SetNumberOfTuples(n);
-  paint_points(*cloud_, tile.indices, paint_, colors->GetPointer(0));
+  paint_points(cloud, tile.indices, paint_, colors->GetPointer(0));
   vtkNew<vtkIdTypeArray> ids;  // one cell of all points
   ids->SetNumberOfValues(n);
   std::iota(ids->GetPointer(0), ids->GetPointer(0) + n, vtkIdType{0});
@@ -146,24 +141,29 @@ PointLayer::Tile PointLayer::make_tile(const PointOctree::Node& node) const {
 }
 
 bool PointLayer::update(vtkRenderer* renderer, std::size_t budget, std::size_t fresh) {
-  if (!cloud_ || !octree_) return true;
+  if (!nodes_) return true;
   renderer_ = renderer;
   ++frame_;
-  auto view = view_of(renderer, cloud_->origin - origin_);
-  if (clip_) view.lo = (clip_->lo - cloud_->origin).cast<float>(), view.hi = (clip_->hi - cloud_->origin).cast<float>();
-  const auto chosen = octree_->visible(view, budget, min_px);
-  drawn_ = fresh_ = 0;
+  const Eigen::Vector3d origin = nodes_->origin();
+  auto view = view_of(renderer, origin - origin_);
+  if (clip_) view.lo = (clip_->lo - origin).cast<float>(), view.hi = (clip_->hi - origin).cast<float>();
+  drawn_ = fresh_ = awaited_ = 0;
   bool complete = true;
-  for (const auto i : chosen) {
+  for (const auto i : nodes_->choose(view, budget, min_px)) {
     auto it = tiles_.find(i);
     if (it == tiles_.end()) {
-      const auto& node = octree_->nodes()[i];
-      if (fresh_ > 0 && fresh_ + node.size() > fresh) {
+      const std::size_t size = nodes_->size_of(i);
+      if (fresh_ > 0 && fresh_ + size > fresh) {
         complete = false;
         continue;
       }
-      fresh_ += node.size();
-      it = tiles_.emplace(i, make_tile(node)).first;
+      auto points = nodes_->points(i);
+      if (!points.cloud) {
+        ++awaited_;
+        continue;
+      }
+      fresh_ += size;
+      it = tiles_.emplace(i, make_tile(std::move(points))).first;
       if (it->second.actor) renderer->AddActor(it->second.actor);
     }
     it->second.last_use = frame_;
@@ -176,6 +176,7 @@ bool PointLayer::update(vtkRenderer* renderer, std::size_t budget, std::size_t f
 }
 
 void PointLayer::forget_unused() {
+  const std::size_t kept_points = nodes_->max_prepared();
   std::size_t points = 0;
   std::vector<std::pair<std::uint64_t, std::uint32_t>> unused;
   for (const auto& [i, tile] : tiles_) {
@@ -198,13 +199,17 @@ std::size_t PointLayer::actors() const {
       tiles_, [&](const auto& t) { return t.second.actor && renderer_ && renderer_->HasViewProp(t.second.actor); }));
 }
 
-std::vector<std::uint32_t> PointLayer::drawn_points() const {
-  std::vector<std::uint32_t> points;
-  for (const auto& [i, tile] : tiles_)
-    if (tile.last_use == frame_)
-      std::ranges::copy_if(tile.indices, std::back_inserter(points),
-                           [&](auto index) { return !clip_ || clip_->contains(cloud_->position(index)); });
-  return points;
+std::vector<PointSet> PointLayer::drawn_points() const {
+  std::vector<PointSet> drawn;
+  for (const auto& [i, tile] : tiles_) {
+    if (tile.last_use != frame_ || tile.indices.empty()) continue;
+    const auto cloud = nodes_->cloud_of(i);
+    if (!cloud) continue;
+    if (drawn.empty() || drawn.back().cloud != cloud) drawn.push_back({cloud, {}});
+    std::ranges::copy_if(tile.indices, std::back_inserter(drawn.back().indices),
+                         [&](auto index) { return !clip_ || clip_->contains(cloud->position(index)); });
+  }
+  return drawn;
 }
 
 }  // namespace bole::render

@@ -32,9 +32,13 @@ struct ClipBox {
 
 class PointLayer {
  public:
-  // Both may be null: nothing is drawn then. The octree must be that of the cloud's positions.
+  // Null: nothing is drawn then.
+  void show(std::shared_ptr<PointNodes> nodes, const Eigen::Vector3d& origin);
+  // The same of an octree in memory, which must be that of the cloud's positions; both may be null.
   void show(std::shared_ptr<const PointCloud> cloud, std::shared_ptr<const PointOctree> octree,
-            const Eigen::Vector3d& origin);
+            const Eigen::Vector3d& origin) {
+    show(nodes_in_memory(std::move(cloud), std::move(octree)), origin);
+  }
   void set_paint(PointPaint paint);
   void set_filter(const PointFilter& filter);
   void set_clip(const std::optional<ClipBox>& box);
@@ -46,8 +50,9 @@ class PointLayer {
 
   std::size_t drawn() const { return drawn_; }      // points of the last update
   std::size_t fresh() const { return fresh_; }      // of them, those that were prepared for it
+  std::size_t awaited() const { return awaited_; }  // nodes that the last update wanted and that are not here yet
   std::size_t actors() const;                       // that the renderer holds for it; grows as the picture is refined
-  std::vector<std::uint32_t> drawn_points() const;  // indices in the cloud of those that are seen
+  std::vector<PointSet> drawn_points() const;       // those that are seen
   const PointPaint& paint() const { return paint_; }
 
  private:
@@ -57,12 +62,11 @@ class PointLayer {
     std::uint64_t last_use = 0;
   };
   void clear();
-  Tile make_tile(const PointOctree::Node& node) const;
+  Tile make_tile(PointSet points) const;
   void clip(Tile& tile) const;
   void forget_unused();
 
-  std::shared_ptr<const PointCloud> cloud_;
-  std::shared_ptr<const PointOctree> octree_;
+  std::shared_ptr<PointNodes> nodes_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   PointPaint paint_;
   PointFilter filter_;
@@ -72,7 +76,7 @@ class PointLayer {
   std::unordered_map<std::uint32_t, Tile> tiles_;
   vtkSmartPointer<vtkRenderer> renderer_;  // that the tiles were added to
   std::uint64_t frame_ = 0;
-  std::size_t drawn_ = 0, fresh_ = 0;
+  std::size_t drawn_ = 0, fresh_ = 0, awaited_ = 0;
 };
 
 }  // namespace bole::render

@@ -7,7 +7,6 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <queue>
 
 namespace bole::render {
 namespace {
@@ -186,15 +185,14 @@ std::vector<PointOctree::Node> linked_nodes(std::array<Parts, levels>& parts, co
   return nodes;
 }
 
-// How large a node is on the screen, pixels; negative when it is outside of the view.
-double size_on_screen(const PointOctree::Node& node, const OctreeView& view) {
+}  // namespace
+
+double size_on_screen(const Eigen::Vector3f& middle, float half_m, const OctreeView& view) {
   const auto& m = view.world_to_clip;
-  if ((node.centre.array() - node.half_m > view.hi.array()).any() ||
-      (node.centre.array() + node.half_m < view.lo.array()).any())
-    return -1;
-  const Eigen::Vector4d centre(static_cast<double>(node.centre.x()), static_cast<double>(node.centre.y()),
-                               static_cast<double>(node.centre.z()), 1);
-  const double half = static_cast<double>(node.half_m);
+  if ((middle.array() - half_m > view.hi.array()).any() || (middle.array() + half_m < view.lo.array()).any()) return -1;
+  const Eigen::Vector4d centre(static_cast<double>(middle.x()), static_cast<double>(middle.y()),
+                               static_cast<double>(middle.z()), 1);
+  const double half = static_cast<double>(half_m);
   const auto outside = [&](const Eigen::RowVector4d& plane) {
     return plane.dot(centre) + half * plane.head<3>().cwiseAbs().sum() < 0;
   };
@@ -204,8 +202,6 @@ double size_on_screen(const PointOctree::Node& node, const OctreeView& view) {
   const double depth = m.row(3).dot(centre) - half * std::sqrt(3.0) * m.row(3).head<3>().norm();
   return 2 * half * m.row(1).head<3>().norm() * view.height_px / 2 / std::max(depth, 1e-3);
 }
-
-}  // namespace
 
 PointOctree::PointOctree(const PointCloud& cloud, const Run& run) : positions_(cloud.shared_positions()) {
   if (cloud.size() >= std::numeric_limits<std::uint32_t>::max())
@@ -270,24 +266,16 @@ PointOctree PointOctree::sample(const PointCloud& cloud, std::size_t points) {
 }
 
 std::vector<std::uint32_t> PointOctree::visible(const OctreeView& view, std::size_t budget, double min_px) const {
-  std::vector<std::uint32_t> chosen;
-  if (nodes_.empty()) return chosen;
-  std::priority_queue<std::pair<double, std::uint32_t>> waiting;
-  const auto consider = [&](std::uint32_t i) {
-    if (const double px = size_on_screen(nodes_[i], view); px >= 0) waiting.emplace(px, i);
-  };
-  consider(0);
-  for (std::size_t points = 0; !waiting.empty();) {
-    const auto [px, i] = waiting.top();
-    waiting.pop();
-    const auto& node = nodes_[i];
-    if (points + node.size() > budget && (i > 0 || budget == 0)) break;  // something is drawn in any case
-    points += node.size();
-    if (node.size() > 0) chosen.push_back(i);
-    if (px / cells_per_side > min_px)
-      for (std::uint32_t child = 0; child < node.children; ++child) consider(node.first_child + child);
-  }
-  return chosen;
+  if (nodes_.empty()) return {};
+  return largest_on_screen(
+      view, budget, min_px,
+      [&](std::uint32_t i) {
+        const auto& node = nodes_[i];
+        return NodeCube{node.centre, node.half_m, node.spacing_m(), node.size(), false};
+      },
+      [&](std::uint32_t i, auto&& consider) {
+        for (std::uint32_t child = 0; child < nodes_[i].children; ++child) consider(nodes_[i].first_child + child);
+      });
 }
 
 std::vector<std::uint32_t> PointOctree::in_box(const Eigen::Vector3f& lo, const Eigen::Vector3f& hi) const {
@@ -305,6 +293,37 @@ std::vector<std::uint32_t> PointOctree::in_box(const Eigen::Vector3f& lo, const 
     for (std::uint32_t child = 0; child < node.children; ++child) waiting.push_back(node.first_child + child);
   }
   return found;
+}
+
+namespace {
+
+class OctreeNodes : public PointNodes {
+ public:
+  OctreeNodes(std::shared_ptr<const PointCloud> cloud, std::shared_ptr<const PointOctree> octree)
+      : cloud_(std::move(cloud)), octree_(std::move(octree)) {}
+
+  Eigen::Vector3d origin() const override { return cloud_->origin; }
+  std::vector<std::uint32_t> choose(const OctreeView& view, std::size_t budget, double min_px) override {
+    return octree_->visible(view, budget, min_px);
+  }
+  std::size_t size_of(std::uint32_t node) const override { return octree_->nodes()[node].size(); }
+  PointSet points(std::uint32_t node) const override {
+    const auto indices = octree_->points(octree_->nodes()[node]);
+    return {cloud_, {indices.begin(), indices.end()}};
+  }
+  std::shared_ptr<const PointCloud> cloud_of(std::uint32_t) const override { return cloud_; }
+
+ private:
+  std::shared_ptr<const PointCloud> cloud_;
+  std::shared_ptr<const PointOctree> octree_;
+};
+
+}  // namespace
+
+std::shared_ptr<PointNodes> nodes_in_memory(std::shared_ptr<const PointCloud> cloud,
+                                            std::shared_ptr<const PointOctree> octree) {
+  if (!cloud || !octree) return nullptr;
+  return std::make_shared<OctreeNodes>(std::move(cloud), std::move(octree));
 }
 
 }  // namespace bole::render

@@ -9,15 +9,9 @@
 
 #include "base/run.h"
 #include "cloud/point_cloud.h"
+#include "render/scene/point_nodes.h"
 
 namespace bole::render {
-
-// What a camera sees, for choosing what to draw.
-struct OctreeView {
-  Eigen::Matrix4d world_to_clip = Eigen::Matrix4d::Identity();  // takes coordinates relative to the cloud's origin
-  double height_px = 1;
-  Eigen::Vector3f lo{-1e30F, -1e30F, -1e30F}, hi{1e30F, 1e30F, 1e30F};  // a box outside of which nothing is wanted
-};
 
 // An octree in which every point lies in exactly one node: a node holds one point of each of its 64^3 cells that none
 // of its ancestors took already, so nodes down to some depth together are an even sample of the cloud whose spacing
@@ -64,5 +58,9 @@ class PointOctree {
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;
 };
+
+// The octree of a cloud in memory as a source of nodes; null where either is.
+std::shared_ptr<PointNodes> nodes_in_memory(std::shared_ptr<const PointCloud> cloud,
+                                            std::shared_ptr<const PointOctree> octree);
 
 }  // namespace bole::render

@@ -4,7 +4,6 @@
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <fmt/format.h>
-#include <unistd.h>
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -12,22 +11,16 @@
 
 #include <QApplication>
 #include <QSurfaceFormat>
-#include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
-#include <numeric>
 #include <random>
 
-#include "views/scene_view.h"
+#include "frame_times.h"
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+using bole::desktop::Clock, bole::desktop::processor_s, bole::desktop::resident_mib, bole::desktop::since;
 
 // A plot of 60 m: half of the points on the ground, the rest on 400 stems and in their crowns.
 bole::PointCloud stand(std::size_t points) {
@@ -54,31 +47,6 @@ bole::PointCloud stand(std::size_t points) {
   bole::PointCloud cloud(std::move(p));
   cloud.set_column(bole::arrays::height_above_ground, std::move(height));
   return cloud;
-}
-
-double processor_s() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-// Processor times of all threads: means over the frames of drawing, and of bringing the picture to the screen.
-void report(const char* what, std::vector<double> seconds, std::vector<double> processor, double showing_s,
-            std::size_t drawn) {
-  const double drawing_s = std::accumulate(processor.begin(), processor.end(), 0.0);
-  std::ranges::sort(seconds);
-  std::ranges::sort(processor);
-  const auto slow = [](const std::vector<double>& sorted) { return sorted[sorted.size() * 95 / 100]; };
-  const auto ms = [&](double s) { return 1000 * s / static_cast<double>(seconds.size()); };
-  fmt::print(
-      "{:20} {:5.1f} frames/s (median), {:5.1f} (slowest twentieth), processor time {:.1f} ms (slowest twentieth "
-      "{:.1f}) + "
-      "{:.1f} ms, {} points\n",
-      what, 1 / seconds[seconds.size() / 2], 1 / slow(seconds), ms(drawing_s), 1000 * slow(processor), ms(showing_s),
-      drawn);
-}
-
-long resident_mib() {
-  std::ifstream in("/proc/self/statm");
-  long pages = 0, resident = 0;
-  in >> pages >> resident;
-  return resident * sysconf(_SC_PAGESIZE) / (1 << 20);
 }
 
 }  // namespace
@@ -110,24 +78,7 @@ int main(int argc, char** argv) {
              (points * (sizeof(Eigen::Vector3f) + sizeof(float))) >> 20);
 
   auto* camera = view.renderWindow()->GetRenderers()->GetFirstRenderer()->GetActiveCamera();
-  const auto turn = [&](const char* what, auto move) {
-    for (int k = 0; k < 12; ++k)
-      move(), view.draw_moving_frame(), QApplication::processEvents();  // until the budget has settled
-    std::vector<double> seconds, processor;
-    double showing_s = 0;
-    for (int k = 0; k < 60; ++k) {
-      move();
-      const auto frame = Clock::now();
-      const double begin_s = processor_s();
-      view.draw_moving_frame();
-      const double drawn_s = processor_s();
-      QApplication::processEvents();
-      seconds.push_back(since(frame));
-      processor.push_back(drawn_s - begin_s);
-      showing_s += processor_s() - drawn_s;
-    }
-    report(what, std::move(seconds), std::move(processor), showing_s, view.drawn_points());
-  };
+  const auto turn = [&](const char* what, auto move) { bole::desktop::time_frames(view, what, move); };
   turn("turn around the plot", [&] { camera->Azimuth(2); });
   camera->SetFocalPoint(30, 30, 2);
   camera->SetPosition(22, 20, 2.5);

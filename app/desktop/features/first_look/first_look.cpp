@@ -36,8 +36,10 @@ void install_first_look(Workbench& bench) {
   QObject::connect(look, &FirstLook::seen, line, [b, line](const std::shared_ptr<const FirstSeen>& seen) {
     line->show_seen(*seen);
     b->guarded([&] { b->show_preview(seen->survey, seen->of_sensor); });
+    if (!seen->large.isEmpty()) b->log().add(seen->large, LogLevel::info);
     for (const auto& warning : seen->warnings) b->log().add(warning, LogLevel::warning);
   });
+  QObject::connect(look, &FirstLook::preparing, line, &NextStep::show_preparing);
   QObject::connect(look, &FirstLook::failed, line, &NextStep::show_problem);
   QObject::connect(b, &Workbench::survey_shown, line, &NextStep::show_survey);
 }

@@ -97,7 +97,14 @@ void NextStep::show_seen(const FirstSeen& seen) {
   QStringList line{seen.file};
   line << seen.facts;
   what_->set_line(line.join(between));
+  if (!seen.large.isEmpty()) what_->setToolTip(what_->text() + "\n\n" + seen.large);
   if (!seen.warnings.isEmpty()) what_->setToolTip(what_->text() + "\n\n" + seen.warnings.join('\n'));
+}
+
+void NextStep::show_preparing(const QString& file, double fraction) {
+  what_->set_line(QStringList{
+      file, tr("larger than the memory for points: an index is built once, %1 %").arg(static_cast<int>(100 * fraction))}
+                      .join(between));
 }
 
 void NextStep::show_problem(const QString& why) { what_->set_line(why); }

@@ -21,7 +21,8 @@ class NextStep : public QFrame {
 
   void show_opened();  // a document, of which nothing is known yet
   void show_seen(const FirstSeen& seen);
-  void show_problem(const QString& why);  // its input cannot be read
+  void show_preparing(const QString& file, double fraction);  // the index of a large cloud is being built
+  void show_problem(const QString& why);                      // its input cannot be read
   void show_survey(const Survey& survey);
 
   QString command() const { return command_; }  // that the button triggers

@@ -142,7 +142,7 @@ void MeasureTool::take(const Eigen::Vector3d& place, const QVariant& point) {
   if (!bench_.session().has_document()) return;
   if (point.isNull()) return bench_.say(tr("There is no point here. Click one that is drawn."));
   if (!open_) {
-    open_ = *tool_ == Kind::point ? render::point_measurement(*bench_.scene().survey().points, point.toUInt())
+    open_ = *tool_ == Kind::point ? render::point_measurement(*bench_.scene().taken_cloud(), point.toUInt())
                                   : render::Measurement();
     open_->kind = *tool_;
     open_->points.clear();
@@ -173,11 +173,11 @@ void MeasureTool::fit_ring(render::Measurement& ring) const {
   const auto& survey = bench_.scene().survey();
   const auto drawn = render::ring_through(ring.points);
   if (!survey.points || !survey.index || !drawn) return;
-  const auto& cloud = *survey.points;
   const double reach = 1.3 * drawn->radius_m + start_error_m;
-  const Eigen::Vector3d centre = Eigen::Vector3d(drawn->centre.x(), drawn->centre.y(), drawn->z_m) - cloud.origin;
-  const Eigen::Vector3d half(reach, reach, slice_half_m);
-  auto found = survey.index->in_box(cloud, (centre - half).cast<float>(), (centre + half).cast<float>());
+  const Eigen::Vector3d centre(drawn->centre.x(), drawn->centre.y(), drawn->z_m), half(reach, reach, slice_half_m);
+  const auto [points, found_there] = survey.index->points_at_once(survey.points, centre - half, centre + half);
+  const auto& cloud = *points;
+  auto found = found_there;
   std::ranges::sort(found);
   const std::size_t step = std::max<std::size_t>(1, found.size() / max_points);
   std::vector<Eigen::Vector2d> near;

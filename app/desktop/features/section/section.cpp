@@ -171,6 +171,7 @@ void SectionTool::step(int by) {
 
 void SectionTool::clear() {
   line_.reset();
+  cut_ = {};
   path_.clear();
   view_->show_section({}, false);
   dock_->hide();
@@ -187,27 +188,63 @@ void SectionTool::cut(bool keep_sight) {
   if (!line_) return;
   view_->set_point_size(bench_.scene().settings().point_size_px);
   if (!survey_.points) survey_ = bench_.scene().survey();
-  view_->show_section(cut_through(survey_, *line_, bench_.scene().paint(), bench_.scene().stem_shapes()), keep_sight);
+  show_cut(survey_, keep_sight);
+  if (survey_.index && survey_.index->disk()) ask_disk();
+}
+
+void SectionTool::show_cut(const Survey& of, bool keep_sight) {
+  cut_ = of;
+  view_->show_section(cut_through(cut_, *line_, bench_.scene().paint(), bench_.scene().stem_shapes()), keep_sight);
   view_->select(bench_.selection().tree().value_or(0));
   draw_in_scene();
   draw_measurements();
   show_where();
 }
 
+// The coarse points are shown until those of the slab have been read.
+void SectionTool::ask_disk() {
+  if (!std::exchange(reads_disk_, true))
+    slabs_.start([this](const std::stop_token& stop, const auto& answer) {
+      while (const auto wish = slabs_.next(stop)) read_slab(*wish, stop, answer);
+    });
+  slabs_.ask({survey_.index->disk(), *line_});
+}
+
+// In a thread of its own.
+void SectionTool::read_slab(const SlabWish& wish, const std::stop_token& stop,
+                            const LastWish<SlabWish>::Answer& answer) {
+  try {
+    Run run;
+    run.cancel = stop;
+    answer([this, points = slab_from_disk(*wish.disk, wish.line, run), wish] { take_slab(wish, points); });
+  } catch (const std::exception& e) {
+    if (!stop.stop_requested()) answer([this, text = QString::fromUtf8(e.what())] { bench_.say(text); });
+  }
+}
+
+void SectionTool::take_slab(const SlabWish& wish, const std::shared_ptr<const PointCloud>& points) {
+  const auto& line = wish.line;
+  const bool current = line_ && line_->from == line.from && line_->to == line.to && line_->width_m == line.width_m &&
+                       survey_.index && survey_.index->disk() == wish.disk;
+  if (!current) return;
+  Survey read = survey_;
+  read.points = points;
+  read.index.reset();
+  show_cut(read, true);
+}
+
 // Whoever takes places gets this one; else its tree is selected.
 void SectionTool::click(const std::optional<std::uint32_t>& point, std::int64_t stem) {
   auto& scene = bench_.scene();
-  const bool known = point && survey_.points && *point < survey_.points->size();
+  const bool known = point && cut_.points && *point < cut_.points->size();
   if (scene.place_taker() != nullptr) {
     if (!known || scene.survey().points != survey_.points)
       return bench_.say(tr("There is no point here. Click one that is drawn."));
-    Q_EMIT scene.place_taken(exact_position(*survey_.points, *point), *point);
-    return;
+    return scene.give_place({cut_.points, *point});
   }
   std::int64_t tree = stem;
-  if (known && survey_.points->has(arrays::tree_id))
-    if (const auto of_point = survey_.points->values<std::int32_t>(arrays::tree_id)[*point]; of_point > 0)
-      tree = of_point;
+  if (known && cut_.points->has(arrays::tree_id))
+    if (const auto of_point = cut_.points->values<std::int32_t>(arrays::tree_id)[*point]; of_point > 0) tree = of_point;
   if (tree > 0 && survey_.row_of(tree)) bench_.selection().select(tree);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "document/cross_section.h"
+#include "running/last_wish.h"
 
 class QDockWidget;
 class QDoubleSpinBox;
@@ -45,6 +46,14 @@ class SectionTool : public QObject {
   void put(const SectionLine& line, bool keep_sight);
   void cut(bool keep_sight);
   void cut_soon();
+  void show_cut(const Survey& of, bool keep_sight);
+  struct SlabWish {
+    std::shared_ptr<const DiskPoints> disk;
+    SectionLine line;
+  };
+  void ask_disk();
+  void read_slab(const SlabWish& wish, const std::stop_token& stop, const LastWish<SlabWish>::Answer& answer);
+  void take_slab(const SlabWish& wish, const std::shared_ptr<const PointCloud>& points);
   void click(const std::optional<std::uint32_t>& point, std::int64_t stem);
   void draw_in_scene();
   void draw_measurements();
@@ -58,6 +67,9 @@ class SectionTool : public QObject {
   QDoubleSpinBox *width_, *length_;
   QTimer* soon_;
   Survey survey_;  // what cuts show of it
+  Survey cut_;     // of which the points that are shown are: read from the disk where the survey lies there
+  LastWish<SlabWish> slabs_{this};
+  bool reads_disk_ = false;
   std::optional<SectionLine> line_;
   std::vector<Eigen::Vector2d> path_;  // that the line is stepped along; empty: it is free
   double at_m_ = 0;                    // of the path

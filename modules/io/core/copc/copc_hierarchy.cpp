@@ -96,4 +96,18 @@ Hierarchy make_hierarchy(const Octree& octree, const std::vector<laz::Chunk>& ch
   return out;
 }
 
+std::vector<std::uint8_t> info_record(const Octree& octree, const Hierarchy& hierarchy, std::uint64_t hierarchy_offset,
+                                      std::array<double, 2> times) {
+  std::vector<std::uint8_t> info(160);
+  for (std::size_t k = 0; k < 3; ++k) las::store(&info[8 * k], octree.centre[static_cast<Eigen::Index>(k)]);
+  las::store(&info[24], octree.half_size);
+  las::store(&info[32], octree.spacing);
+  las::store(&info[40], hierarchy_offset);
+  las::store(&info[48], hierarchy.root_size);
+  const bool known = times[0] <= times[1];
+  las::store(&info[56], known ? times[0] : 0.0);
+  las::store(&info[64], known ? times[1] : 0.0);
+  return info;
+}
+
 }  // namespace bole::io::copc

@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "io/core/copc/copc_entry.h"
 #include "io/core/las/las_bytes.h"
 
 namespace bole::io::copc {
@@ -14,29 +15,7 @@ namespace {
 
 using las::load;
 
-constexpr std::size_t header_size = 375, vlr_header = 54, info_size = 160, entry_size = 32;
-constexpr std::int32_t max_stored_level = 31;
-
-// An entry of a page.
-struct Entry {
-  std::int32_t level = 0;
-  Eigen::Vector3i key = Eigen::Vector3i::Zero();
-  std::uint64_t offset = 0;
-  std::int32_t bytes = 0, points = 0;
-
-  explicit Entry(const std::uint8_t* at)
-      : level(load<std::int32_t>(at)),
-        key(load<std::int32_t>(at + 4), load<std::int32_t>(at + 8), load<std::int32_t>(at + 12)),
-        offset(load<std::uint64_t>(at + 16)),
-        bytes(load<std::int32_t>(at + 24)),
-        points(load<std::int32_t>(at + 28)) {}
-
-  bool possible() const {
-    return level >= 0 && level < max_stored_level && key.minCoeff() >= 0 &&
-           key.maxCoeff() < (std::int64_t{1} << level) && bytes >= 0 && points >= -1;
-  }
-  bool is_page() const { return points == -1; }
-};
+constexpr std::size_t vlr_header = 54, info_size = 160;
 
 class Search {
  public:

@@ -16,9 +16,8 @@ namespace bole::io::copc {
 
 namespace {
 
-constexpr unsigned grid_bits = 7;    // 128 cells across a node
-constexpr unsigned place_bits = 28;  // of a coordinate within the root
-constexpr int max_level = 20;        // its cells take 27 of them
+constexpr unsigned grid_bits = OctreeRoot::grid_bits, place_bits = OctreeRoot::place_bits;
+constexpr int max_level = 20;  // its cells take 27 bits of a place
 constexpr std::size_t block = 1 << 14;
 
 struct StepBox {
@@ -45,21 +44,29 @@ struct Branch {
 
 class OctreeBuilder {
  public:
-  OctreeBuilder(const las::RecordEncoder& encoder, std::size_t points, const OctreeOptions& options, const Run& run)
-      : encoder_(encoder), options_(options), run_(run), order_(points), scratch_(points), bucket_(points) {
+  OctreeBuilder(const OctreePoints& points, const OctreeOptions& options, const Run& run)
+      : points_(points),
+        options_(options),
+        run_(run),
+        order_(points.count),
+        scratch_(points.count),
+        bucket_(points.count) {
     std::iota(order_.begin(), order_.end(), 0U);
-    place_root();
+    root_ = options.root ? *options.root : cube_around_points();
+    if (!order_.empty()) deepest_ = root_.deepest(points.grid.scale.maxCoeff());
   }
 
   Octree build() {
     Branch root;
+    root.level = root_.level;
+    root.key = root_.key;
     divide(root, 0, order_.size());
     run_.check_cancel();
     Octree out;
     out.order = std::move(order_);
-    out.half_size = side_ / 2;
-    out.centre = low_.array() + side_ / 2;
-    out.spacing = side_ / (1 << grid_bits);
+    out.half_size = root_.side / 2;
+    out.centre = root_.centre();
+    out.spacing = root_.spacing();
     std::vector<const Branch*> level{&root}, next;
     for (; !level.empty(); level.swap(next)) {
       next.clear();
@@ -74,12 +81,11 @@ class OctreeBuilder {
   }
 
  private:
-  // A cube around all points, a step wider than they are, so that none lies on its upper faces.
-  void place_root() {
+  OctreeRoot cube_around_points() {
     const auto box = tbb::parallel_deterministic_reduce(
         tbb::blocked_range<std::size_t>(0, order_.size(), block), StepBox(),
         [&](const tbb::blocked_range<std::size_t>& range, StepBox sum) {
-          for (std::size_t i = range.begin(); i < range.end() && !run_.cancelled(); ++i) sum.add(encoder_.steps(i));
+          for (std::size_t i = range.begin(); i < range.end() && !run_.cancelled(); ++i) sum.add(points_.steps(i));
           return sum;
         },
         [](StepBox a, const StepBox& b) {
@@ -88,34 +94,17 @@ class OctreeBuilder {
           return a;
         });
     run_.check_cancel();
-    if (order_.empty()) return;
-    const auto& grid = encoder_.grid();
-    Eigen::Vector3d low, high;
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      const auto axis = static_cast<std::size_t>(k);
-      low[k] = grid.offset[k] + grid.scale[k] * box.min[axis];
-      high[k] = grid.offset[k] + grid.scale[k] * box.max[axis];
-    }
-    const double step = grid.scale.maxCoeff();
-    side_ = (high - low).maxCoeff() + 2 * step;
-    low_ = (low + high) / 2 - Eigen::Vector3d::Constant(side_ / 2);
-    // Finer cells than the grid of the file do not tell points apart.
-    deepest_ = 0;
-    while (deepest_ < max_level && side_ / (1 << grid_bits) > step * (std::int64_t{1} << deepest_)) ++deepest_;
+    return order_.empty() ? OctreeRoot() : root_around(points_.grid, box.min, box.max);
   }
 
   // The cell within a node of the level (three times grid_bits bits) below the octant (three bits).
   std::uint32_t cell_of(std::uint32_t point, int level) const {
-    const auto at = encoder_.steps(point);
-    const auto& grid = encoder_.grid();
+    const auto places = root_.place(points_.grid, points_.steps(point));
     std::uint32_t cell = 0, octant = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto axis = static_cast<Eigen::Index>(k);
-      const double share = (grid.offset[axis] + grid.scale[axis] * at[k] - low_[axis]) / side_;
-      const auto place = static_cast<std::uint32_t>(share * (1U << place_bits));
       const unsigned cell_shift = place_bits - static_cast<unsigned>(level) - grid_bits;
-      cell |= (place >> cell_shift & ((1U << grid_bits) - 1)) << (grid_bits * k);
-      octant |= (place >> (place_bits - static_cast<unsigned>(level) - 1) & 1U) << k;
+      cell |= (places[k] >> cell_shift & ((1U << grid_bits) - 1)) << (grid_bits * k);
+      octant |= (places[k] >> (place_bits - static_cast<unsigned>(level) - 1) & 1U) << k;
     }
     return octant << (3 * grid_bits) | cell;
   }
@@ -188,23 +177,45 @@ class OctreeBuilder {
     for (std::size_t i = 0; i < count; ++i) buckets[i] = becomes[buckets[i]];
   }
 
-  const las::RecordEncoder& encoder_;
+  const OctreePoints& points_;
   OctreeOptions options_;
   const Run& run_;
   std::vector<std::uint32_t> order_, scratch_;
   std::vector<std::uint8_t> bucket_;
-  Eigen::Vector3d low_ = Eigen::Vector3d::Constant(-1);
-  double side_ = 2;
+  OctreeRoot root_;
   int deepest_ = 0;
 };
 
 }  // namespace
 
-Octree build_octree(const las::RecordEncoder& encoder, std::size_t points, const Run& run,
-                    const OctreeOptions& options) {
-  if (points > std::numeric_limits<std::uint32_t>::max())
-    throw bad_input(fmt::format("{} points", points), "at most 4294967295 for COPC", "Write LAZ, or tiles");
-  return OctreeBuilder(encoder, points, options, run).build();
+double OctreeRoot::spacing() const { return side / (1 << grid_bits); }
+
+int OctreeRoot::deepest(double step) const {
+  int level_of_steps = 0;
+  while (level_of_steps < max_level && spacing() > step * static_cast<double>(std::int64_t{1} << level_of_steps))
+    ++level_of_steps;
+  return level_of_steps;
+}
+
+OctreeRoot root_around(const las::Grid& grid, const std::array<std::int32_t, 3>& low,
+                       const std::array<std::int32_t, 3>& high) {
+  Eigen::Vector3d lo, hi;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    const auto axis = static_cast<std::size_t>(k);
+    lo[k] = grid.offset[k] + grid.scale[k] * low[axis];
+    hi[k] = grid.offset[k] + grid.scale[k] * high[axis];
+  }
+  OctreeRoot root;
+  // None shall lie on its upper faces.
+  root.side = (hi - lo).maxCoeff() + 2 * grid.scale.maxCoeff();
+  root.low = (lo + hi) / 2 - Eigen::Vector3d::Constant(root.side / 2);
+  return root;
+}
+
+Octree build_octree(const OctreePoints& points, const Run& run, const OctreeOptions& options) {
+  if (points.count > std::numeric_limits<std::uint32_t>::max())
+    throw bad_input(fmt::format("{} points", points.count), "at most 4294967295 for COPC", "Write LAZ, or tiles");
+  return OctreeBuilder(points, options, run).build();
 }
 
 }  // namespace bole::io::copc

@@ -10,19 +10,19 @@
 
 namespace bole::io::las {
 
-void RecordStatistics::add(const RecordEncoder& encoder, const std::uint8_t* records, std::size_t count) {
+void RecordStatistics::add(const RecordForm& form, const std::uint8_t* records, std::size_t count) {
   points += count;
-  for (std::size_t i = 0; i < count; ++i, records += encoder.record_length()) {
+  for (std::size_t i = 0; i < count; ++i, records += form.record_length) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto v = load<std::int32_t>(records + 4 * k);
       min[k] = std::min(min[k], v);
       max[k] = std::max(max[k], v);
     }
-    const unsigned r = encoder.return_number(records);
+    const unsigned r = form.return_number(records);
     if (r >= 1 && r <= by_return.size()) ++by_return[r - 1];
-    if (!encoder.holds_time()) continue;
+    if (!form.holds_time()) continue;
     // A time that is no number leaves both as they are.
-    const double time = encoder.time(records);
+    const double time = form.time(records);
     if (time < min_time) min_time = time;
     if (time > max_time) max_time = time;
   }
@@ -133,10 +133,10 @@ void add_cloud_vlrs(const PointCloud& cloud, const RecordEncoder& encoder, VlrLi
   add_facts(cloud.facts, vlrs, warnings);
 }
 
-std::vector<std::uint8_t> make_header(const RecordEncoder& encoder, const VlrList& vlrs,
-                                      const RecordStatistics& statistics, const HeaderParts& parts) {
+std::vector<std::uint8_t> make_header(const RecordForm& form, const VlrList& vlrs, const RecordStatistics& statistics,
+                                      const HeaderParts& parts) {
   constexpr int compressed_bit = 0x80;
-  const bool legacy = !point_layout(encoder.point_format()).extended;
+  const bool legacy = !point_layout(form.point_format).extended;
   std::vector<std::uint8_t> h(legacy ? 227 : 375);
   std::memcpy(h.data(), "LASF", 4);
   store(&h[6], static_cast<std::uint16_t>(parts.encoding));
@@ -151,8 +151,8 @@ std::vector<std::uint8_t> make_header(const RecordEncoder& encoder, const VlrLis
   store(&h[94], static_cast<std::uint16_t>(h.size()));
   store(&h[96], static_cast<std::uint32_t>(h.size() + vlrs.bytes().size()));
   store(&h[100], vlrs.count());
-  h[104] = static_cast<std::uint8_t>(encoder.point_format() | (parts.compressed ? compressed_bit : 0));
-  store(&h[105], static_cast<std::uint16_t>(encoder.record_length()));
+  h[104] = static_cast<std::uint8_t>(form.point_format | (parts.compressed ? compressed_bit : 0));
+  store(&h[105], static_cast<std::uint16_t>(form.record_length));
   if (legacy) {
     store(&h[107], static_cast<std::uint32_t>(statistics.points));
     for (std::size_t i = 0; i < 5; ++i) store(&h[111 + 4 * i], static_cast<std::uint32_t>(statistics.by_return[i]));
@@ -164,7 +164,7 @@ std::vector<std::uint8_t> make_header(const RecordEncoder& encoder, const VlrLis
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
-    const double scale = encoder.grid().scale[axis], offset = encoder.grid().offset[axis];
+    const double scale = form.grid.scale[axis], offset = form.grid.offset[axis];
     store(&h[131 + 8 * k], scale);
     store(&h[155 + 8 * k], offset);
     if (statistics.points == 0) continue;

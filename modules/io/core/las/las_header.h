@@ -24,13 +24,17 @@ struct RecordStatistics {
   double min_time = std::numeric_limits<double>::infinity();  // where the records hold GPS times
   double max_time = -std::numeric_limits<double>::infinity();
 
-  void add(const RecordEncoder& encoder, const std::uint8_t* records, std::size_t count);
+  void add(const RecordForm& form, const std::uint8_t* records, std::size_t count);
   void add(const RecordStatistics& other);
 };
 
 class VlrList {
  public:
   void add(std::string_view user, int id, Bytes data, std::string_view description);
+  void append(const VlrList& others) {
+    bytes_.insert(bytes_.end(), others.bytes_.begin(), others.bytes_.end());
+    count_ += others.count_;
+  }
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }
   std::uint32_t count() const { return count_; }
 
@@ -54,7 +58,7 @@ struct HeaderParts {
 };
 
 // LAS 1.2 for the formats 0 to 3, else 1.4. The points begin behind header and records.
-std::vector<std::uint8_t> make_header(const RecordEncoder& encoder, const VlrList& vlrs,
-                                      const RecordStatistics& statistics, const HeaderParts& parts);
+std::vector<std::uint8_t> make_header(const RecordForm& form, const VlrList& vlrs, const RecordStatistics& statistics,
+                                      const HeaderParts& parts);
 
 }  // namespace bole::io::las

@@ -21,6 +21,22 @@ struct Grid {
 // allows one.
 Grid choose_grid(const PointCloud& cloud, double scale_m);
 
+// How the records of a file lie in memory.
+struct RecordForm {
+  int point_format = 6;
+  std::size_t record_length = 30;
+  Grid grid;
+  bool gps_time = true;  // whether the field of the time holds GPS times
+
+  unsigned return_number(const std::uint8_t* record) const {
+    return record[field::returns] & (point_layout(point_format).extended ? 15U : 7U);
+  }
+  bool holds_time() const { return gps_time && point_layout(point_format).time >= 0; }
+  double time(const std::uint8_t* record) const {
+    return las::load<double>(record + static_cast<std::size_t>(point_layout(point_format).time));
+  }
+};
+
 // Points of a cloud that follow one another, or that a list puts in another order.
 struct PointList {
   std::size_t first = 0, count = 0;
@@ -53,14 +69,7 @@ class RecordEncoder {
   // The place of a point on the grid. Throws as encode().
   std::array<std::int32_t, 3> steps(std::size_t point) const;
 
-  unsigned return_number(const std::uint8_t* record) const {
-    return record[field::returns] & (layout_.extended ? 15U : 7U);
-  }
-
-  bool holds_time() const { return gps_time_ && layout_.time >= 0; }
-  double time(const std::uint8_t* record) const {
-    return las::load<double>(record + static_cast<std::size_t>(layout_.time));
-  }
+  RecordForm form() const { return {format_, record_length_, grid_, gps_time_}; }
 
   // Columns without a place in the file and values that did not fit their field, one line per column.
   std::vector<std::string> warnings(const RecordLosses& losses) const;

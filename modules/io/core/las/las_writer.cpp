@@ -95,7 +95,7 @@ class LasFileWriter {
       const std::size_t count = std::min(block, cloud_.size() - first);
       records.assign(count * encoder_.record_length(), 0);
       encoder_.encode({first, count}, records.data(), losses_);
-      statistics_.add(encoder_, records.data(), count);
+      statistics_.add(encoder_.form(), records.data(), count);
       write_bytes(file_, records);
       if (!file_.stream()) break;  // commit() reports a full disk
       leave_memory(cloud_, first, count);
@@ -120,7 +120,8 @@ class LasFileWriter {
 
   void write_octree() {
     const auto packing = laz::make_packing(encoder_.point_format(), encoder_.record_length(), laz::variable_chunks);
-    const auto octree = copc::build_octree(encoder_, cloud_.size(), run_);
+    const auto octree =
+        copc::build_octree({cloud_.size(), encoder_.grid(), [this](std::size_t i) { return encoder_.steps(i); }}, run_);
     std::vector<PointList> lists;
     for (const auto& node : octree.nodes) lists.push_back(node.points);
     auto vlrs = octree_vlrs(octree, packing, copc::Hierarchy(), 0, warnings_);
@@ -139,15 +140,7 @@ class LasFileWriter {
   // The record of COPC must be the first one.
   las::VlrList octree_vlrs(const copc::Octree& octree, const laz::Packing& packing, const copc::Hierarchy& hierarchy,
                            std::uint64_t hierarchy_at, std::vector<std::string>& warnings) {
-    std::vector<std::uint8_t> info(160);
-    for (std::size_t k = 0; k < 3; ++k) store(&info[8 * k], octree.centre[static_cast<Eigen::Index>(k)]);
-    store(&info[24], octree.half_size);
-    store(&info[32], octree.spacing);
-    store(&info[40], hierarchy_at);
-    store(&info[48], hierarchy.root_size);
-    const bool times = statistics_.min_time <= statistics_.max_time;
-    store(&info[56], times ? statistics_.min_time : 0.0);
-    store(&info[64], times ? statistics_.max_time : 0.0);
+    const auto info = copc::info_record(octree, hierarchy, hierarchy_at, {statistics_.min_time, statistics_.max_time});
     las::VlrList vlrs;
     vlrs.add("copc", 1, info, "COPC info");
     las::add_cloud_vlrs(cloud_, encoder_, vlrs, warnings);
@@ -168,7 +161,7 @@ class LasFileWriter {
   }
 
   std::vector<std::uint8_t> header(const las::VlrList& vlrs) const {
-    return las::make_header(encoder_, vlrs, statistics_, parts_);
+    return las::make_header(encoder_.form(), vlrs, statistics_, parts_);
   }
   void begin(const las::VlrList& vlrs) {
     write_bytes(file_, header(vlrs));

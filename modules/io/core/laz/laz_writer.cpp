@@ -58,7 +58,7 @@ class PointWriter {
       auto& records = records_.local();
       records.assign(points.count * encoder_.record_length(), 0);
       encoder_.encode(points, records.data(), chunk.losses);
-      chunk.statistics.add(encoder_, records.data(), points.count);
+      chunk.statistics.add(encoder_.form(), records.data(), points.count);
       chunk.bytes = encode_chunk(packing_, records.data(), encoder_.record_length(), points.count);
     } catch (...) {
       chunk.error = std::current_exception();
