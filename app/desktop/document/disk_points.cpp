@@ -8,7 +8,8 @@ namespace bole::desktop {
 namespace {
 
 constexpr std::size_t coarse_points = 400'000;
-constexpr double drawn_share = 0.8;  // of the memory, for what one view draws
+constexpr std::size_t max_drawn = 2'500'000;  // points; what draws them takes some 150 bytes for each
+constexpr double drawn_share = 0.8;           // of the memory, for what one view draws
 constexpr auto between_tellings = std::chrono::milliseconds(150);
 constexpr std::size_t max_told = 20;  // sentences about damage
 
@@ -34,7 +35,8 @@ DiskPoints::DiskPoints(const std::filesystem::path& copc, std::size_t memory_byt
     : tree_(copc), memory_limit_(memory_bytes), nothing_(std::make_shared<const PointCloud>()) {
   read_coarse(run);
   const std::size_t each = std::max<std::size_t>(1, bytes_of(*coarse_) / std::max<std::size_t>(1, coarse_->size()));
-  max_drawn_ = static_cast<std::size_t>(drawn_share * static_cast<double>(memory_bytes) / static_cast<double>(each));
+  max_drawn_ = std::min(
+      max_drawn, static_cast<std::size_t>(drawn_share * static_cast<double>(memory_bytes) / static_cast<double>(each)));
   const unsigned threads = std::max(1U, std::thread::hardware_concurrency() - 1);
   for (unsigned k = 0; k < threads; ++k) fetchers_.emplace_back([this](const std::stop_token& stop) { fetch(stop); });
 }

@@ -53,7 +53,7 @@ class DiskPoints : public QObject, public render::PointNodes {
   std::size_t size_of(std::uint32_t node) const override;
   render::PointSet points(std::uint32_t node) const override;
   std::shared_ptr<const PointCloud> cloud_of(std::uint32_t node) const override;
-  std::size_t max_prepared() const override { return 6'000'000; }
+  std::size_t max_prepared() const override { return max_drawn_; }
 
  Q_SIGNALS:
   // From the thread that fetches. Nodes that were awaited are here; told some times a second at most.
@@ -75,7 +75,7 @@ class DiskPoints : public QObject, public render::PointNodes {
   void tell(const QString& what);
 
   io::copc::CopcTree tree_;
-  std::size_t memory_limit_, max_drawn_ = 0;
+  std::size_t memory_limit_, max_drawn_ = 0;  // bytes, points
   std::shared_ptr<const PointCloud> coarse_, nothing_;
   mutable std::mutex mutex_;
   std::condition_variable_any asked_;

@@ -7,9 +7,11 @@
 #include <QStandardPaths>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/file_pages.h"
 #include "io/core/copc/copc_index.h"
+#include "io/core/las/crs_unit.h"
 
 namespace bole::desktop {
 namespace {
@@ -51,7 +53,9 @@ std::optional<std::filesystem::path> cloud_for_disk(const pipeline::StageNode& n
     try {
       const io::MappedFile file(path);
       if (file.bytes().size() < 4 || std::memcmp(file.bytes().data(), "LASF", 4) != 0) return {};
-      const auto info = io::las::parse_info(file.bytes(), false);
+      const auto info = io::las::parse_info(file.bytes());
+      const auto metres = io::las::metres_per_crs_unit(info.crs_wkt);
+      if (metres && std::abs(*metres - 1) > 1e-9) return {};
       if (bytes_in_memory(info) > static_cast<double>(memory_bytes)) return path;
     } catch (const Error&) {
       // The reader says what is wrong with it.

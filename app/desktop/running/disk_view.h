@@ -11,7 +11,7 @@
 
 namespace bole::desktop {
 
-// The LAS, LAZ or COPC file that a stage reads as it is (no part of it, in its own unit and axes), when its points take
+// The LAS, LAZ or COPC file that a stage reads as it is (no part of it, in metres, z up), when its points take
 // more than `memory_bytes`; nothing for others, and where the file cannot be read.
 std::optional<std::filesystem::path> cloud_for_disk(const pipeline::StageNode& node, std::size_t memory_bytes);
 

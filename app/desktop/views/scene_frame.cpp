@@ -68,6 +68,7 @@ void SceneView::before_frame() {
 }
 
 void SceneView::after_frame() {
+  drawing_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_start_).count();
   if (moving_) return rest_.start(rest_ms);
   if (!complete_) return rest_.start(0);
   if (!settings_.eye_dome || rendering_ || layer_.awaited() > 0) return;

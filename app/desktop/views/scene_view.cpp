@@ -114,14 +114,18 @@ void SceneView::show_points() {
     layer_.show(survey_.points, survey_.index ? survey_.index->octree() : nullptr, origin_);
 }
 
+// A frame of all points at rest takes long: most of the time is left to those who fetch more of them.
+void SceneView::take_arrivals() {
+  constexpr double waits_per_frame = 3;
+  if (!moving_ && !rest_.isActive()) rest_.start(static_cast<int>(1000 * waits_per_frame * drawing_s_));
+}
+
 // Until the octree is built the points are a sample of the cloud; those on disk arrive by and by.
 void SceneView::follow_index() {
   disconnect(arrivals_);
   if (!survey_.index) return;
   if (const auto& disk = survey_.index->disk())
-    arrivals_ = connect(disk.get(), &DiskPoints::arrived, this, [this, disk = disk.get()] {
-      if (survey_.index && survey_.index->disk().get() == disk && !moving_) redraw();
-    });
+    arrivals_ = connect(disk.get(), &DiskPoints::arrived, this, &SceneView::take_arrivals);
   if (survey_.index->complete()) return;
   connect(survey_.index.get(), &PointIndex::built, this, [this, index = survey_.index.get()] {
     if (survey_.index.get() != index) return;

@@ -157,6 +157,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void follow_theme();
   void follow_index();
   void show_points();
+  void take_arrivals();
   void rebuild();
   void repaint_points();
   void take_trees();
@@ -234,6 +235,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   bool stroking_ = false;
   FramePace pace_;
   std::chrono::steady_clock::time_point frame_start_;
+  double drawing_s_ = 0;  // of the last frame
   QPoint pressed_at_;
   bool double_clicked_ = false;  // the release that follows picks nothing
   std::optional<Grip> dragged_;
