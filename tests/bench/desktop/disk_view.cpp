@@ -95,6 +95,28 @@ int main(int argc, char** argv) {
   fmt::print("inside, refined:     {:.2f} s, {} points drawn\n", since(start), view.drawn_points());
   if (argc > 3) view.picture(1600, false).save(QString(argv[3]).replace(".png", "_inside.png"));
 
+  // Until the memory for points has been used up.
+  start = Clock::now();
+  int places = 0;
+  for (const auto& box = view.whole(); places < 60 && disk->memory_used() < 0.95 * static_cast<double>(memory);
+       ++places) {
+    const Eigen::Vector3d across = box.hi - box.lo;
+    const Eigen::Vector2d at(across.x() * (places * 0.381966 - std::floor(places * 0.381966)),
+                             across.y() * (places * 0.618034 - std::floor(places * 0.618034)));
+    const Eigen::Vector3d from = box.lo + Eigen::Vector3d(at.x(), at.y(), across.z() + 40) - disk->coarse()->origin;
+    camera->SetPosition(from.data());
+    camera->SetFocalPoint(from.x() + 1, from.y() + 20, from.z() - 40);
+    view.draw_moving_frame();
+    const auto arrived = Clock::now();
+    const auto settled = [&] {
+      QApplication::processEvents(QEventLoop::AllEvents, 20);
+      return view.refined();
+    };
+    while (!settled() && since(arrived) < 60) continue;
+  }
+  fmt::print("tour of {} places:    {:.0f} s, {} nodes read, cache {} MiB, memory {} MiB\n", places, since(start),
+             disk->nodes_read(), disk->memory_used() >> 20, resident_mib());
+
   const Eigen::Vector3d world = middle + disk->coarse()->origin;
   for (const double length_m : {20.0, 200.0}) {
     start = Clock::now();
