@@ -62,7 +62,7 @@ void write_record(const Point& p, std::uint64_t number, std::uint8_t* record) {
 // Of the tiles that reach into the box.
 std::vector<std::uint8_t> records_within(int tiles, const std::array<std::int32_t, 3>& low,
                                          const std::array<std::int32_t, 3>& high) {
-  constexpr double crown_m = 3.5;  // by how much points lie beyond their tile
+  constexpr double crown_m = 3.5;                  // by how much points lie beyond their tile
   if (high[2] * step_m < lowest_m + 1) return {};  // below the ground
   const auto first = [&](std::int32_t steps) {
     return std::max(0, static_cast<int>(std::floor((steps * step_m - crown_m) / tile_m)));

@@ -137,8 +137,9 @@ TEST(Registration, LongFramesFindTheBendOfTheirMotion) {
   const SyntheticScan source(synthetic::trunks(18, 3.5), sensor, pose_at, 1);
   FeatureMaps maps(0.1);
   fill(maps,
-       SyntheticScan(synthetic::trunks(18, 3.5), SpinningSensor::even(32, -25, 15, 900),
-                     [](double t) { return synthetic::walk_on_circle(t, 5, 1, 0, 0); }, 5),
+       SyntheticScan(
+           synthetic::trunks(18, 3.5), SpinningSensor::even(32, -25, 15, 900),
+           [](double t) { return synthetic::walk_on_circle(t, 5, 1, 0, 0); }, 5),
        0, 4);
   const FrameMotion guess{source.truth(0), source.truth(0.2)};
   const auto query = features_of(source, 0).query;

@@ -45,8 +45,9 @@ struct EditedStems {
 // With a plot the stems are numbered anew before any edit, those that count from 1 on (plot_numbers.h), in the stems,
 // their sections and the points alike; edits do not change these ids, and new stems get ids above all others. A
 // diameter that a person gives has no interval (NaN), and the sections of its stem, which say otherwise, are dropped;
-// those of a moved or tilted stem move with it. Columns that hold the decision and are absent (state, note, height_m, species)
-// are added. Throws Error{bad_input} when `stems` lacks tree_id, x_m, y_m or dbh_cm, Error{cancelled} when asked to.
+// those of a moved or tilted stem move with it. Columns that hold the decision and are absent (state, note, height_m,
+// species) are added. Throws Error{bad_input} when `stems` lacks tree_id, x_m, y_m or dbh_cm, Error{cancelled} when
+// asked to.
 EditedStems apply_stem_edits(const EditInputs& inputs, const std::vector<StemEdit>& edits, const EditOptions& options,
                              const Run& run);
 
