@@ -5,7 +5,7 @@
 namespace bole::desktop {
 namespace {
 
-constexpr double start_error_m = 0.05, max_sigma_m = 0.025, least_move_m = 0.0005;
+constexpr double start_error_m = 0.05, max_sigma_m = 0.025, min_move_m = 0.0005;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ std::vector<stems::StemEdit> circle_edits(const StemPlace& stem, const Eigen::Ve
   std::vector<stems::StemEdit> edits;
   stems::StemEdit edit;
   edit.at = stem.foot.head<2>();
-  if ((centre - edit.at).norm() > least_move_m) {
+  if ((centre - edit.at).norm() > min_move_m) {
     edit.action = stems::StemEdit::Action::move;
     edit.to = centre;
     edits.push_back(edit);

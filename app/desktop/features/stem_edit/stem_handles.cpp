@@ -22,7 +22,7 @@ const std::string east_id = "rim_east", north_id = "rim_north";
 constexpr double lean_handle_m = 1.2;  // above breast height
 constexpr double reach_m = 0.5;        // of the points beyond the circle
 constexpr double max_slope = 5, first_top_m = 20, min_top_m = 1, max_top_m = 150;
-constexpr double least_change_m = 0.001, least_slope = 0.001, least_height_m = 0.01;
+constexpr double min_change_m = 0.001, min_slope_change = 0.001, min_height_change_m = 0.01;
 
 const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
 
@@ -125,7 +125,7 @@ std::vector<stems::StemEdit> StemHandles::edits(const std::string& handle, bool 
   edit.at = stem_->foot.head<2>();
   edit.was_dbh_cm = 100 * stem_->dbh_m;
   if (handle == lean_id) {
-    if ((drawn_.slope - is_.slope).norm() < least_slope) return {};
+    if ((drawn_.slope - is_.slope).norm() < min_slope_change) return {};
     edit.action = Action::tilt;
     edit.lean_deg = degrees(std::atan(drawn_.slope.norm()));
     const double azimuth = degrees(std::atan2(drawn_.slope.x(), drawn_.slope.y()));
@@ -133,13 +133,13 @@ std::vector<stems::StemEdit> StemHandles::edits(const std::string& handle, bool 
     return {edit};
   }
   if (handle == top_id) {
-    if (is_.height_m && std::abs(top_m() - *is_.height_m) < least_height_m) return {};
+    if (is_.height_m && std::abs(top_m() - *is_.height_m) < min_height_change_m) return {};
     edit.action = Action::set_height;
     edit.height_m = top_m();
     return {edit};
   }
   const double moved = (drawn_.breast - is_.breast).norm() + std::abs(drawn_.radius_m - is_.radius_m);
-  if (moved < least_change_m) return {};
+  if (moved < min_change_m) return {};
   if (as_drawn || !fit_) return circle_edits(*stem_, drawn_.breast.head<2>(), drawn_.radius_m);
   return circle_edits(*stem_, fit_->circle.centre, fit_->circle.radius);
 }
@@ -189,7 +189,7 @@ std::vector<SceneDrawing> StemHandles::drawings() const {
   const double ground_m = stem_->foot.z() - drawn_.breast.z();
   lean.lines = {{axis_at(ground_m), axis_at(lean_handle_m)}};
   lean.grips = {axis_at(lean_handle_m)};
-  if ((drawn_.slope - is_.slope).norm() >= least_slope) {
+  if ((drawn_.slope - is_.slope).norm() >= min_slope_change) {
     lean.label = tr("leans %1°").arg(degrees(std::atan(drawn_.slope.norm())), 0, 'f', 1).toStdString();
     lean.label_at = axis_at(lean_handle_m);
   }
