@@ -70,12 +70,11 @@ class Builder {
       sorted_ = stream_.points;
     else
       sort_into_bins();
-    NodeFile file(path, stream_, root_);
-    file_ = &file;
+    file_.emplace(path, stream_, root_);
     const auto root = branch(0, {0, 0, 0});
     if (root.records.empty()) throw bad_input("the file holds no points", "a cloud");
-    file.write({{root.level, key_of(root.key), root.records}});
-    return file.finish();
+    file_->write({{root.level, key_of(root.key), root.records}});
+    return file_->finish();
   }
 
  private:
@@ -286,7 +285,7 @@ class Builder {
   std::optional<RecordBins> bins_;
   std::uint64_t sorted_ = 0, done_ = 0;
   std::set<std::array<int, 4>> occupied_;
-  NodeFile* file_ = nullptr;
+  std::optional<NodeFile> file_;
 };
 
 }  // namespace
