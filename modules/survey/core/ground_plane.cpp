@@ -70,7 +70,7 @@ GroundPlane lowest_plane(const PointCloud& cloud, const Run& run) {
   const Eigen::Vector2d middle(upper_median(std::move(xs)), upper_median(std::move(ys)));
   std::erase_if(points,
                 [&](const Eigen::Vector3d& p) { return (p.head<2>() - middle).cwiseAbs().maxCoeff() > reach_m; });
-  const auto low = lowest_per_cell(std::move(points), cell_m);
+  const auto low = lowest_per_cell(points, cell_m);
   run.check_cancel();
   if (low.size() < min_cells) return out;
   const Eigen::Vector3d plane = robust_plane(low, 0.05);
