@@ -11,12 +11,12 @@ def ground_z(x, y):
     return 400 + 0.05 * x + 0.03 * y + 0.3 * math.sin(x / 6) * math.cos(y / 9)
 
 
-def stems_of(size_m, seed, on_seams=()):
-    """[(x, y, radius)]: at random with gaps of 2.5 m between them, after those at given places."""
+def stems_of(size_m, seed, on_seams=(), gap_m=2.5):
+    """[(x, y, radius)]: at random with at least gap_m between them, after those at given places."""
     chance, stems = random.Random(seed), [(x, y, r) for x, y, r in on_seams]
     for _ in range(4000):
         x, y, r = chance.uniform(2, size_m - 2), chance.uniform(2, size_m - 2), chance.uniform(0.08, 0.22)
-        if all((x - a) ** 2 + (y - b) ** 2 > 2.5**2 for a, b, _ in stems):
+        if all((x - a) ** 2 + (y - b) ** 2 > gap_m**2 for a, b, _ in stems):
             stems.append((x, y, r))
     return stems
 
@@ -64,7 +64,7 @@ def write_las(path, points, origin=(500000.0, 5400000.0, 0.0)):
     return count
 
 
-def write_forest(path, size_m=44.0, seed=1, on_seams=()):
-    stems = stems_of(size_m, seed, on_seams)
+def write_forest(path, size_m=44.0, seed=1, on_seams=(), gap_m=2.5):
+    stems = stems_of(size_m, seed, on_seams, gap_m)
     write_las(path, points_of(size_m, stems, seed + 1))
     return stems

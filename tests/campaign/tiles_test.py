@@ -36,7 +36,7 @@ def forest():
     """(folder, cloud, stems of the whole), made once."""
     place = tempfile.TemporaryDirectory(prefix="bole_forest_")
     folder = pathlib.Path(place.name)
-    small_forest.write_forest(folder / "forest.las", on_seams=SEAMS)
+    small_forest.write_forest(folder / "forest.las", on_seams=SEAMS, gap_m=3.5)
     done = subprocess.run([BOLE, "run", ENGINE.parents[1] / "pipelines" / "stem_map_from_cloud.json", "--set", f"scan.file={folder / 'forest.las'}", "--set", "report.figures=false",
                            "--set", "report.cloud=false", "--out", folder / "whole", "--no-cache"], capture_output=True, text=True, timeout=400)
     if done.returncode != DONE:

@@ -70,7 +70,8 @@ void print_evaluation(const vtkbridge::StageOutcome& outcome) {
   if (!lines.empty()) fmt::print("\nAgainst the reference ({}):\n{}", outcome.record.id, lines);
 }
 
-// "Verdict: look - 3 findings, see report.html", then the findings that decide it.
+// "Verdict: look - 3 findings, see report.html", then the findings that decide it. A run without a page (a
+// film) has nothing that a person could sign: it says something only where something was found.
 void print_verdict(const vtkbridge::RunOutcome& outcome) {
   const auto judgement = vtkbridge::judgement_of(outcome);
   const auto is_sterner = [](const StageFinding& f) { return f.finding.severity != Severity::note; };
@@ -78,6 +79,7 @@ void print_verdict(const vtkbridge::RunOutcome& outcome) {
   const bool has_page = std::ranges::any_of(outcome.stages, [](const vtkbridge::StageOutcome& stage) {
     return std::ranges::any_of(stage.files, [](const std::string& file) { return file.ends_with("report.html"); });
   });
+  if (!has_page && judgement.verdict == Verdict::sign) return;
   fmt::print("\nVerdict: {}{}{}\n", verdict_name(judgement.verdict),
              count == 0 ? std::string() : fmt::format(" - {} finding{}", count, count == 1 ? "" : "s"),
              has_page && !outcome.results.empty() ? fmt::format("{}see report.html", count == 0 ? " - " : ", ") : "");
