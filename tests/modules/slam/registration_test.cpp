@@ -123,39 +123,68 @@ TEST(Registration, ElasticFramesFindTheMotionWithinTheFrame) {
   EXPECT_LT(elastic.rms, rigid.rms);
 }
 
-TEST(Registration, LongFramesFindTheBendOfTheirMotion) {
-  auto sensor = SpinningSensor::even(32, -25, 15, 450);
-  sensor.period_s = 0.2;
-  // Half of a sway of 4 cm within the frame, and a turn of the head.
-  const auto pose_at = [](double t) {
+// A frame of 0.2 s with half of a sway of 4 cm in it and a turn of the head, and a map of the place.
+struct BentFrame {
+  SyntheticScan source{synthetic::trunks(18, 3.5), sensor(450, 0.2), swaying, 1};
+  FeatureMaps maps{0.1};
+  FeatureSet query = features_of(source, 0).query;
+  FrameMotion truth{source.truth(0), source.truth(0.2)};
+
+  BentFrame() { fill(maps, SyntheticScan(synthetic::trunks(18, 3.5), sensor(900, 0.1), straight, 5), 0, 4); }
+  static SpinningSensor sensor(int columns, double period_s) {
+    auto out = SpinningSensor::even(32, -25, 15, columns);
+    out.period_s = period_s;
+    return out;
+  }
+  static Pose straight(double t) { return synthetic::walk_on_circle(t, 5, 1, 0, 0); }
+  static Pose swaying(double t) {
     const double sway = bend_share(t / 0.2);
-    Pose T = synthetic::walk_on_circle(t, 5, 1, 0, 0);
+    Pose T = straight(t);
     T.translate(Eigen::Vector3d(0.01, 0.04, -0.02) * sway);
     T.rotate(Eigen::AngleAxisd(0.02 * sway, Eigen::Vector3d::UnitZ()));
     return T;
-  };
-  const SyntheticScan source(synthetic::trunks(18, 3.5), sensor, pose_at, 1);
-  FeatureMaps maps(0.1);
-  fill(maps,
-       SyntheticScan(
-           synthetic::trunks(18, 3.5), SpinningSensor::even(32, -25, 15, 900),
-           [](double t) { return synthetic::walk_on_circle(t, 5, 1, 0, 0); }, 5),
-       0, 4);
-  const FrameMotion guess{source.truth(0), source.truth(0.2)};
-  const auto query = features_of(source, 0).query;
-  RegistrationSettings settings;
-  settings.model = MotionModel::elastic;
-  settings.iterations = 30;
-  const auto straight = register_frame(query, maps, guess, settings, {});
+  }
+  static RegistrationSettings settings() {
+    RegistrationSettings settings;
+    settings.model = MotionModel::elastic;
+    settings.iterations = 30;
+    return settings;
+  }
+};
+
+TEST(Registration, LongFramesFindTheBendOfTheirMotion) {
+  const BentFrame frame;
+  auto settings = BentFrame::settings();
+  const auto straight = register_frame(frame.query, frame.maps, frame.truth, settings, {});
   settings.bend = BendPrior{};
-  const auto bent = register_frame(query, maps, guess, settings, {});
-  const Pose middle = source.truth(0.1);
+  const auto bent = register_frame(frame.query, frame.maps, frame.truth, settings, {});
+  const Pose middle = frame.source.truth(0.1);
   EXPECT_TRUE(bent.converged);
   EXPECT_GT(distance(straight.motion.at(0.5), middle), 0.015);
   EXPECT_LT(distance(bent.motion.at(0.5), middle), 0.006);
   EXPECT_LT(angle(bent.motion.at(0.5), middle), 0.5 * angle(straight.motion.at(0.5), middle));
-  EXPECT_LT(distance(bent.motion.T_map_begin, source.truth(0)), 0.01);
+  EXPECT_LT(distance(bent.motion.T_map_begin, frame.truth.T_map_begin), 0.01);
   EXPECT_LT(bent.rms, straight.rms);
+}
+
+// Held to a begin that is 4 cm off, a frame bends to go through it, and hands the error on by its end.
+TEST(Registration, LongFramesDoNotPassOnWhatIsKnownToBeVague) {
+  const BentFrame frame;
+  FrameMotion guess = frame.truth;
+  for (Pose* T : {&guess.T_map_begin, &guess.T_map_end}) T->pretranslate(Eigen::Vector3d(0.02, 0.03, 0.02));
+  auto settings = BentFrame::settings();
+  settings.motion_sigma = 0.16;
+  settings.motion_sigma_rad = 0.08;
+  settings.bend = BendPrior{};
+  const auto held = register_frame(frame.query, frame.maps, guess, settings, {});
+  settings.begin_covariance.diagonal() << Eigen::Vector3d::Constant(1e-4), Eigen::Vector3d::Constant(1.6e-3);
+  const auto loose = register_frame(frame.query, frame.maps, guess, settings, {});
+  EXPECT_GT(distance(held.motion.T_map_end, frame.truth.T_map_end), 0.04);
+  EXPECT_LT(distance(loose.motion.T_map_end, frame.truth.T_map_end), 0.02);
+  // What it says of its end is what it is off by, and much more than what it would say of a rigid pose.
+  const double end_sd = std::sqrt(loose.end_covariance.bottomRightCorner<3, 3>().trace());
+  EXPECT_GT(end_sd, 3 * std::sqrt(loose.covariance.bottomRightCorner<3, 3>().trace()));
+  EXPECT_LT(distance(loose.motion.T_map_end, frame.truth.T_map_end), 3 * end_sd);
 }
 
 TEST(Registration, TheResultDoesNotDependOnTheNumberOfThreads) {

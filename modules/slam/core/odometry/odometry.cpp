@@ -34,6 +34,7 @@ constexpr double sure_overlap = 0.6;                      // below it a rigid fr
 constexpr double stride_s = 1.05;    // two steps
 constexpr double max_join_s = 0.15;  // frames farther apart than this have a gap between them
 constexpr double gait_acceleration = 4, gait_angular_acceleration = 2;
+constexpr double bound_sigmas = 2;  // in a longer frame, whose ends are vague, these bounds count as two deviations
 
 // See Odometry::matched_motion() and motion_found().
 constexpr double matched_share = 0.5, max_gait_changes = 2;
@@ -78,8 +79,8 @@ FrameMotion Odometry::predicted(double begin_s, double end_s) const {
   const auto& last = last_good();
   const double last_span_s = last.end_s - last.begin_s, gap_s = std::max(0.0, begin_s - last.end_s);
   if (last_good_ == 0 || last_span_s <= 0) return {last.motion.T_map_end, last.motion.T_map_end};
-  Vector6d velocity =
-      elastic() ? Vector6d(se3_log(last.motion.delta()) / last_span_s) : mean_velocity(0.5 * last_span_s);
+  Vector6d velocity = known_by_its_middle(last) ? mean_velocity(0.5 * last_span_s)
+                                                : Vector6d(se3_log(last.motion.delta()) / last_span_s);
   if (gap_s > max_join_s) velocity = mean_velocity(stride_s);
   if (!elastic()) {
     const double ahead_s = std::min(0.5 * (begin_s + end_s) - last.mid_s(), 1.5);
@@ -91,16 +92,22 @@ FrameMotion Odometry::predicted(double begin_s, double end_s) const {
   return out;
 }
 
+bool Odometry::known_by_its_middle(const TrackedFrame& frame) const {
+  return !elastic() || frame.end_s - frame.begin_s > longest_straight_frame_s;
+}
+
 // From the good frame at least `over_s` before the last good one. The registration of a rigid frame determines the pose
 // of its middle. Begin and end depend on the motion assumed within the frame, and a velocity taken from them feeds its
-// own error back with the opposite sign: it oscillates. So rigid frames are compared by their middles.
+// own error back with the opposite sign: it oscillates. So rigid frames are compared by their middles, and so are long
+// elastic ones, whose ends are vague.
 Vector6d Odometry::mean_velocity(double over_s) const {
   if (last_good_ == 0) return Vector6d::Zero();
   const auto& last = last_good();
   std::size_t k = last_good_ - 1;
   while (k > 0 && (!frames_[k].ok || last.end_s - frames_[k].end_s < over_s)) --k;
   const auto& first = frames_[k];
-  if (elastic()) return se3_log(first.motion.T_map_end.inverse() * last.motion.T_map_end) / (last.end_s - first.end_s);
+  if (!known_by_its_middle(last))
+    return se3_log(first.motion.T_map_end.inverse() * last.motion.T_map_end) / (last.end_s - first.end_s);
   return se3_log(first.motion.at(0.5).inverse() * last.motion.at(0.5)) / (last.mid_s() - first.mid_s());
 }
 
@@ -192,9 +199,17 @@ void Odometry::hold_to_gait(RegistrationSettings& settings, double gap_s) const 
   settings.motion_sigma = gait_acceleration * span_s * changed_s;
   settings.motion_sigma_rad = gait_angular_acceleration * span_s * changed_s;
   // Within a tenth of a second a gait bends the motion by 5 mm, which the adjustment of the whole path mends; within a
-  // fifth by 2 cm, and the frame no longer fits the map.
-  if (span_s > longest_straight_frame_s)
-    settings.bend = BendPrior{gait_acceleration * span_s * span_s / 8, gait_angular_acceleration * span_s * span_s / 8};
+  // fifth by 2 cm, and the frame no longer fits the map. With a bend the points leave the end of a frame vague. Handed
+  // on as if it were certain it would bend the next frame, whose end would be off by as much: at rest the path then
+  // wanders by centimetres.
+  if (span_s > longest_straight_frame_s) {
+    settings.motion_sigma /= bound_sigmas;
+    settings.motion_sigma_rad /= bound_sigmas;
+    const double bend_per_acceleration = span_s * span_s / 8;
+    settings.bend = BendPrior{gait_acceleration / bound_sigmas * bend_per_acceleration,
+                              gait_angular_acceleration / bound_sigmas * bend_per_acceleration};
+    settings.begin_covariance = last_good().end_covariance;
+  }
 }
 
 RegistrationSettings Odometry::base_settings() const {
@@ -451,6 +466,7 @@ bool Odometry::locate(TrackedFrame& frame, const Features& features, const Run& 
   if (joined_) open = bridged_motion(r, open, seen, guess, frame, features, run);
   frame.sigma0 = r.sigma0;
   frame.covariance = r.covariance;
+  frame.end_covariance = r.end_covariance;
   frame.overlap = r.overlap;
   frame.rms = r.rms;
   frame.iterations = r.iterations;

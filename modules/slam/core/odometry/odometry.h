@@ -24,10 +24,11 @@ struct TrackedFrame {
   std::size_t keyframe = 0;  // the last keyframe up to and with this frame
   bool ok = true;
   double overlap = 1, rms = 0;
-  double conditioning = 1;                 // see Registration
-  double observability = 1;                // see Observability; unknown where `iterations` is 0
-  double sigma0 = 0;                       // of the last adjustment, see Registration
-  Matrix6d covariance = Matrix6d::Zero();  // of the pose; zero for the first frame, which is exact
+  double conditioning = 1;                     // see Registration
+  double observability = 1;                    // see Observability; unknown where `iterations` is 0
+  double sigma0 = 0;                           // of the last adjustment, see Registration
+  Matrix6d covariance = Matrix6d::Zero();      // of the pose; zero for the first frame, which is exact
+  Matrix6d end_covariance = Matrix6d::Zero();  // see Registration
   int iterations = 0;
   bool converged = true;  // see Registration; the first frame is not registered
   bool bent = false;      // did not move as assumed for de-skewing; begin and end were fitted, see register_bent()
@@ -80,6 +81,7 @@ class Odometry {
  private:
   bool elastic() const { return settings_.deskew == Deskew::elastic; }
   FrameMotion predicted(double begin_s, double end_s) const;
+  bool known_by_its_middle(const TrackedFrame& frame) const;
   Vector6d mean_velocity(double over_s) const;
   RegistrationSettings base_settings() const;
   void hold_to_gait(RegistrationSettings& settings, double gap_s) const;

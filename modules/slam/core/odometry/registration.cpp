@@ -189,6 +189,13 @@ Vector6d inverse_variances(double sigma_rad, double sigma) {
   return w;
 }
 
+Matrix6d begin_information(const RegistrationSettings& settings) {
+  const Vector6d w = inverse_variances(settings.begin_sigma_rad, settings.begin_sigma);
+  if (settings.begin_covariance.isZero()) return w.asDiagonal();
+  const Matrix6d covariance = settings.begin_covariance + Matrix6d(w.cwiseInverse().asDiagonal());
+  return covariance.inverse();
+}
+
 // Of elastic frames: begin against its prediction, (end - begin) against the predicted motion, and the bend against
 // none.
 void add_priors(const FrameMotion& motion, const Vector6d& bend, const FrameMotion& predicted,
@@ -207,15 +214,15 @@ void add_priors(const FrameMotion& motion, const Vector6d& bend, const FrameMoti
     sums.g.head<12>() += *settings.joint_information * error;
     return;
   }
-  const Vector6d wb = inverse_variances(settings.begin_sigma_rad, settings.begin_sigma),
-                 wm = inverse_variances(settings.motion_sigma_rad, settings.motion_sigma);
+  const Vector6d wm = inverse_variances(settings.motion_sigma_rad, settings.motion_sigma);
+  const Matrix6d wb = begin_information(settings);
   const Vector6d eb = pose_difference(predicted.T_map_begin, motion.T_map_begin),
                  ee = pose_difference(predicted.T_map_end, motion.T_map_end);
   const Vector6d em = ee - eb;
-  sums.H.topLeftCorner<6, 6>() += (wb + wm).asDiagonal();
+  sums.H.topLeftCorner<6, 6>() += wb + Matrix6d(wm.asDiagonal());
   sums.H.block<6, 6>(6, 6) += wm.asDiagonal();
   sums.H.block<6, 6>(0, 6) -= wm.asDiagonal();
-  sums.g.head<6>() += wb.cwiseProduct(eb) - wm.cwiseProduct(em);
+  sums.g.head<6>() += wb * eb - wm.cwiseProduct(em);
   sums.g.segment<6>(6) += wm.cwiseProduct(em);
 }
 
@@ -265,6 +272,12 @@ Vector18d solve_and_move(const Sums& sums, const RegistrationSettings& settings,
     motion.T_map_end = moved(motion.T_map_end, d);
   }
   return step;
+}
+
+// Of the end of a frame, with begin and bend unknown too.
+Matrix6d end_covariance(const Sums& sums) {
+  const Matrix18d H = sums.H.selfadjointView<Eigen::Upper>();
+  return H.inverse().block<6, 6>(6, 6);
 }
 
 // The largest turn and the largest shift of a step.
@@ -393,6 +406,7 @@ Registration register_frame(const FeatureSet& features, const FeatureMaps& maps,
     if (settings.determined) keep_determined(*settings.determined, sums);
     out.begin_end_information = of_begin_and_end(sums.H);
     add_priors(out.motion, bend, guess, settings, sums);
+    if (settings.bend) out.end_covariance = end_covariance(sums);
     const Vector18d step = solve_and_move(sums, settings, out.motion, bend);
     if (!step.allFinite()) break;
     const auto [turn, shift] = size_of(step);

@@ -94,6 +94,8 @@ struct RegistrationSettings {
   // Elastic only: standard deviations of the begin from the prediction, and of the motion over the frame from it.
   double begin_sigma = 0.004, begin_sigma_rad = 0.001;
   double motion_sigma = 0.05, motion_sigma_rad = 0.02;
+  // Elastic only: covariance (turn rad, shift m; map axes) of the predicted begin, beside begin_sigma.
+  Matrix6d begin_covariance = Matrix6d::Zero();
   // Elastic only: the motion is a parabola in time that departs from the straight one by the bend in the middle.
   std::optional<BendPrior> bend;
   // Elastic only, instead of these: information about begin and end (turn, shift of each; map axes) from the guess.
@@ -117,6 +119,9 @@ struct Registration {
   double sigma0 = 0;
   Matrix6d covariance = Matrix6d::Zero();
   Matrix12d begin_end_information = Matrix12d::Zero();  // elastic: of both poses, data only
+  // Of an elastic frame with a bend: of its end, begin and bend unknown too, priors included (turn rad, shift m; map
+  // axes). The points of a frame tell its middle to a millimetre or two, and its end to centimetres.
+  Matrix6d end_covariance = Matrix6d::Zero();
 };
 
 // `guess` is where the search starts, and for MotionModel::elastic also the prediction of the priors. Throws
