@@ -168,6 +168,8 @@ class FuzzTest : public QObject {
 }  // namespace bole::desktop
 
 int run_fuzz_test(int argc, char** argv) {
+  // Ten thousand actions take longer than the five minutes that Qt leaves a test.
+  if (!qEnvironmentVariableIsSet("QTEST_FUNCTION_TIMEOUT")) qputenv("QTEST_FUNCTION_TIMEOUT", "36000000");
   bole::desktop::FuzzTest test;
   return QTest::qExec(&test, argc, argv);
 }

@@ -17,6 +17,7 @@
 #include <QTreeWidget>
 #include <stdexcept>
 
+#include "document/edit_list.h"
 #include "panels/table_panel.h"
 #include "pipeline/register_all_stages.h"
 #include "report/make_report.h"
@@ -212,6 +213,7 @@ class ViewsTest : public QObject {
     QCOMPARE(list.topLevelItemCount(), 2);
     QCOMPARE(list.topLevelItem(0)->text(0), QString("reject stem"));
     QVERIFY(!list.topLevelItem(0)->text(3).isEmpty());  // the time
+    QVERIFY2(list.topLevelItem(0)->text(5).startsWith("applied"), qPrintable(list.topLevelItem(0)->text(5)));
     QVERIFY(!window_->commands().action("decisions.take_back")->isEnabled());
     list.topLevelItem(0)->setSelected(true);
     trigger("decisions.show");
@@ -227,6 +229,13 @@ class ViewsTest : public QObject {
     QVERIFY(wait());
     QCOMPARE(list.topLevelItemCount(), 2);
     QCOMPARE(QString::fromStdString(state(5)), QString("rejected"));
+    // One that fits no stem says so.
+    stems::StemEdit nowhere;
+    nowhere.action = stems::StemEdit::Action::remove;
+    nowhere.at = {500, 500};
+    add_edits(window_->session(), std::vector{nowhere});
+    QVERIFY(wait());
+    QVERIFY2(list.topLevelItem(2)->text(5).startsWith("does not fit: "), qPrintable(list.topLevelItem(2)->text(5)));
     while (window_->session().undo_stack().canUndo()) window_->session().undo_stack().undo();
     QVERIFY(wait());
   }

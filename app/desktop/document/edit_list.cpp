@@ -89,6 +89,14 @@ EditEntry entry_of(const char* port, std::size_t index, const Edit& edit) {
   return entry;
 }
 
+// Whether a row of the log of a stage is about the edit.
+bool is_in(const Table& log, std::size_t row, const EditEntry& entry) {
+  if (log.text("author", row) != entry.author.toStdString() || log.text("time", row) != entry.time.toStdString())
+    return false;
+  return !entry.stem || !log.has("x_m") ||
+         *entry.stem == Eigen::Vector2d(log.numbers("x_m")[row], log.numbers("y_m")[row]);
+}
+
 }  // namespace
 
 std::vector<EditEntry> listed_edits(const Session& session) {
@@ -101,6 +109,23 @@ std::vector<EditEntry> listed_edits(const Session& session) {
     for (std::size_t i = 0; i < edits.size(); ++i) entries.push_back(entry_of(port, i, edits[i]));
   });
   return entries;
+}
+
+void tell_outcomes(std::vector<EditEntry>& entries, const Results& results) {
+  constexpr const char* log_port = "log";
+  for (auto& entry : entries) entry.applied.reset(), entry.message.clear();
+  for (const auto& [stage, outputs] : results) {
+    if (!outputs.has(log_port)) continue;
+    const auto& log = outputs.table(log_port);
+    if (!log.has("outcome") || !log.has("author") || !log.has("time")) continue;
+    for (std::size_t row = 0; row < log.rows(); ++row)
+      if (const auto entry =
+              std::ranges::find_if(entries, [&](const auto& e) { return !e.applied && is_in(log, row, e); });
+          entry != entries.end()) {
+        entry->applied = log.text("outcome", row) == "applied";
+        if (log.has("message")) entry->message = QString::fromStdString(log.text("message", row));
+      }
+  }
 }
 
 void remove_edits(Session& session, const std::vector<EditEntry>& entries) {

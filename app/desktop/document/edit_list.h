@@ -8,6 +8,7 @@
 
 #include "cloud/core/regions/point_edits.h"
 #include "document/session.h"
+#include "document/survey.h"
 #include "plant/core/edits/plant_edits.h"
 #include "rows/core/edits/row_edits.h"
 #include "slam/core/edits/loop_edits.h"
@@ -31,10 +32,14 @@ struct EditEntry {
   std::optional<Eigen::Vector2d> stem;   // the place of the stem that is meant, metres in the axes of the stems
   std::optional<Eigen::Vector3d> place;  // of the points that are meant, metres in world axes
   QString author, time, reason;
+  std::optional<bool> applied;  // by the run that tell_outcomes() was given; none when it did not have the edit
+  QString message;              // of the stage: why it was not, or what it did
 };
 
 // Of all stages, each list in the order in which it is applied.
 std::vector<EditEntry> listed_edits(const Session& session);
+// What became of each in a run, by the logs of the stages that apply edits: an edit is known by author, time and place.
+void tell_outcomes(std::vector<EditEntry>& entries, const Results& results);
 // Takes edits out of their lists, as one step of undo.
 void remove_edits(Session& session, const std::vector<EditEntry>& entries);
 

@@ -1891,6 +1891,22 @@
             <translation>决定列表</translation>
         </message>
         <message>
+            <source>Outcome</source>
+            <translation>处理结果</translation>
+        </message>
+        <message>
+            <source>not run yet</source>
+            <translation>尚未运行</translation>
+        </message>
+        <message>
+            <source>applied</source>
+            <translation>已应用</translation>
+        </message>
+        <message>
+            <source>does not fit</source>
+            <translation>不再适用</translation>
+        </message>
+        <message>
             <source>Choose decisions in the list.</source>
             <translation>请先在列表中选择决定。</translation>
         </message>

@@ -1,9 +1,10 @@
-// Every edit that the document holds, in one list: what, where, by whom, when and why. Single ones are taken back,
-// which the menu Edit cannot do: it goes back step by step.
+// Every edit that the document holds, in one list: what, where, by whom, when and why, and whether it still fits.
+// Single ones are taken back, which the menu Edit cannot do: it goes back step by step.
 #include <QHeaderView>
 #include <QTreeWidget>
 
 #include "document/edit_list.h"
+#include "running/runner.h"
 #include "views/scene_view.h"
 #include "workbench/workbench.h"
 
@@ -11,13 +12,14 @@ namespace bole::desktop {
 namespace {
 
 constexpr double stem_reach_m = 0.5;
+constexpr int outcome_column = 5;
 
 class Decisions : public QTreeWidget {
  public:
   explicit Decisions(Workbench& bench) : QTreeWidget(&bench), bench_(bench) {
     setObjectName("decisions");
     setHeaderLabels({Workbench::tr("Decision"), Workbench::tr("Place"), Workbench::tr("By"), Workbench::tr("At"),
-                     Workbench::tr("Reason")});
+                     Workbench::tr("Reason"), Workbench::tr("Outcome")});
     setRootIsDecorated(false);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -36,6 +38,7 @@ class Decisions : public QTreeWidget {
     bench_.commands().give_context_menu(*this, "decisions");
     connect(&bench_.session().undo_stack(), &QUndoStack::indexChanged, this, &Decisions::fill);
     connect(&bench_.session(), &Session::document_replaced, this, &Decisions::fill);
+    connect(&bench_.runner(), &Runner::finished, this, &Decisions::show_outcomes);
     connect(this, &QTreeWidget::itemSelectionChanged, &bench_, [this] { bench_.commands().update(); });
     connect(this, &QTreeWidget::itemDoubleClicked, this,
             [this](QTreeWidgetItem* item) { go_to(entries_[static_cast<std::size_t>(indexOfTopLevelItem(item))]); });
@@ -48,6 +51,25 @@ class Decisions : public QTreeWidget {
     entries_ = listed_edits(bench_.session());
     for (const auto& entry : entries_)
       new QTreeWidgetItem(this, {entry.what, place_words(entry), entry.author, entry.time, entry.reason});
+    show_outcomes();
+  }
+
+  // Of the last run. What does not fit stands out, and the choice in the list stays.
+  void show_outcomes() {
+    tell_outcomes(entries_, bench_.runner().results());
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      auto* item = topLevelItem(static_cast<int>(i));
+      auto weight = font();
+      weight.setBold(entries_[i].applied == false);
+      item->setFont(outcome_column, weight);
+      item->setText(outcome_column, outcome_words(entries_[i]));
+    }
+  }
+
+  static QString outcome_words(const EditEntry& entry) {
+    if (!entry.applied) return Workbench::tr("not run yet");
+    const auto words = *entry.applied ? Workbench::tr("applied") : Workbench::tr("does not fit");
+    return entry.message.isEmpty() ? words : words + ": " + entry.message;
   }
 
   static QString place_words(const EditEntry& entry) {
