@@ -1,12 +1,24 @@
 #include "cloud/stem_rows.h"
 
 #include <cmath>
+#include <cstdint>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
 
 #include "cloud/table_columns.h"
 
 namespace bole {
 inline namespace cloud {
+namespace {
+
+bool is_numeric(const Table& table, std::string_view column) {
+  const auto* values = table.find(column);
+  return values != nullptr && !std::holds_alternative<std::vector<std::string>>(*values);
+}
+
+}  // namespace
 
 std::vector<std::size_t> kept_rows(const Table& stems) {
   const auto* values = stems.find("state");
@@ -23,6 +35,15 @@ std::vector<std::size_t> counted_rows(const Table& stems, const CountingRule& ru
   for (const auto i : kept_rows(stems))
     if (std::isfinite(dbh[i]) && rule.counts({x[i], y[i]}, dbh[i])) counted.push_back(i);
   return counted;
+}
+
+Table with_counted(Table stems, const CountingRule& rule) {
+  for (const char* needed : {"x_m", "y_m", "dbh_cm"})
+    if (!is_numeric(stems, needed)) return stems;
+  std::vector<std::int64_t> counted(stems.rows(), 0);
+  for (const auto row : counted_rows(stems, rule)) counted[row] = 1;
+  stems.set("counted", std::move(counted));
+  return stems;
 }
 
 std::vector<double> known_heights(const Table& stems) {

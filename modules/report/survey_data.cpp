@@ -77,21 +77,6 @@ Axes axes_of(const SurveyData& data) {
   return data.points != nullptr ? data.points->axes : Axes::unknown;
 }
 
-bool is_numeric(const Table& table, std::string_view column) {
-  const auto* values = table.find(column);
-  return values != nullptr && !std::holds_alternative<std::vector<std::string>>(*values);
-}
-
-std::shared_ptr<const Table> with_counted(const Table& stems, const CountingRule& rule) {
-  const auto columns = {"x_m", "y_m", "dbh_cm"};
-  if (!std::ranges::all_of(columns, [&](const char* c) { return is_numeric(stems, c); })) return nullptr;
-  std::vector<std::int64_t> counted(stems.rows(), 0);
-  for (const auto i : counted_rows(stems, rule)) counted[i] = 1;
-  auto out = std::make_shared<Table>(stems);
-  out->set("counted", std::move(counted));
-  return out;
-}
-
 }  // namespace
 
 bool SurveyData::poses_given() const {
@@ -139,8 +124,8 @@ SurveyData survey_data(const DataSet& inputs) {
   data.axes = axes_of(data);
   data.place = global_frame_of(data.stems->facts);
   if (data.plot != nullptr) data.rule = counting_rule(*data.plot);
-  data.own_stems = with_counted(*data.stems, data.rule);
-  if (data.own_stems) data.stems = data.own_stems.get();
+  data.own_stems = std::make_shared<const Table>(with_counted(*data.stems, data.rule));
+  data.stems = data.own_stems.get();
   return data;
 }
 

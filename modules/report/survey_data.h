@@ -48,7 +48,7 @@ struct SurveyData {
   const Table* loop_edits = nullptr;
 
   CountingRule rule;                       // of `plot`; every tree without one
-  std::shared_ptr<const Table> own_stems;  // what `stems` points to where a column was added
+  std::shared_ptr<const Table> own_stems;  // what `stems` points to
   Axes axes = Axes::unknown;               // of the stems
   std::optional<GlobalFrame> place;        // of local axes, where the stems were georeferenced
   bool north_known() const { return axes == Axes::plot || axes == Axes::global; }

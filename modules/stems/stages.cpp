@@ -111,8 +111,12 @@ pipeline::StageType edit_stage() {
        "Points that a person gave to trees, from survey.edit_points: for trees that were added, and for the log.",
        true,
        {}}};
-  t.version = 2;
-  t.outputs = {{"stems", DataKind::table, "Stems after the edits.", false, {}},
+  t.version = 3;
+  t.outputs = {{"stems",
+                DataKind::table,
+                "Stems after the edits; counted: 1 where the values of the plot rest on the stem.",
+                false,
+                {}},
                {"sections", DataKind::table, "Circles along the stems that are left.", false, {}},
                {"points", DataKind::cloud, "The cloud with the changed tree ids.", true, {arrays::tree_id}},
                {"log", DataKind::table, "Every edit, whether it was applied, and why not.", false, {}}};

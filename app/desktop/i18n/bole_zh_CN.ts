@@ -2941,6 +2941,14 @@
             <translation>人工填写的备注</translation>
         </message>
         <message>
+            <source>Counted</source>
+            <translation>计入样地</translation>
+        </message>
+        <message>
+            <source>1: the values of the plot rest on this tree</source>
+            <translation>1：样地统计值以这棵树为依据</translation>
+        </message>
+        <message>
             <source>Species</source>
             <translation>树种</translation>
         </message>

@@ -72,6 +72,8 @@ constexpr KnownColumn known_columns[] = {
     {"reasons", QT_TRANSLATE_NOOP("Columns", "Reasons"), "", QT_TRANSLATE_NOOP("Columns", "What lowers the quality")},
     {"state", QT_TRANSLATE_NOOP("Columns", "State"), "",
      QT_TRANSLATE_NOOP("Columns", "auto, check, accepted, rejected or edited")},
+    {"counted", QT_TRANSLATE_NOOP("Columns", "Counted"), "",
+     QT_TRANSLATE_NOOP("Columns", "1: the values of the plot rest on this tree")},
     {"note", QT_TRANSLATE_NOOP("Columns", "Note"), "", QT_TRANSLATE_NOOP("Columns", "What a person wrote")},
     {"species", QT_TRANSLATE_NOOP("Columns", "Species"), "", QT_TRANSLATE_NOOP("Columns", "Species of the tree")},
     {"easting_m", QT_TRANSLATE_NOOP("Columns", "Easting"), "m",

@@ -240,6 +240,13 @@ TEST(ApplyEdits, StemsOfThePlotAreNumberedFirstInEveryOutput) {
   const auto& before = s.points.values<std::int32_t>(arrays::tree_id);
   const auto& after = e.points->values<std::int32_t>(arrays::tree_id);
   for (std::size_t i = 0; i < before.size(); ++i) EXPECT_EQ(after[i], before[i] == 1 ? 3 : before[i] == 2 ? 1 : 2);
+  EXPECT_THAT(e.stems.integers("counted"), ElementsAre(0, 1, 0));
+}
+
+// Without a plot every stem counts that nobody rejected.
+TEST(ApplyEdits, ARejectedStemIsNotCounted) {
+  const auto e = edited(stand(), R"([{"action": "reject", "at": [0, 0]}])");
+  EXPECT_THAT(e.stems.integers("counted"), ElementsAre(0, 1, 1));
 }
 
 TEST(ApplyEdits, EditsMeanTheSameStemsWithAPlotAndWithout) {

@@ -11,6 +11,7 @@
 #include "base/no_number.h"
 #include "cloud/breast_height.h"
 #include "cloud/edit_list.h"
+#include "cloud/stem_rows.h"
 #include "stems/core/edits/edited_points.h"
 #include "stems/core/edits/plot_numbers.h"
 #include "stems/core/edits/relabel_points.h"
@@ -58,7 +59,8 @@ class Editor {
       if (in_.point_edits != nullptr && out.points->has(arrays::tree_id))
         out.points = give_edited_points(*out.points, *in_.point_edits, measured_, stems_, log_, report_, run_);
     }
-    out.stems = stems_.table(), out.sections = sections_.table(), out.log = log_.table();
+    out.stems = with_counted(stems_.table(), in_.plot != nullptr ? counting_rule(*in_.plot) : CountingRule{});
+    out.sections = sections_.table(), out.log = log_.table();
     auto& r = report_;
     r.counts["edits"] = static_cast<std::int64_t>(edits.size());
     r.counts["applied"] = static_cast<std::int64_t>(edits.size()) - conflicts_;
