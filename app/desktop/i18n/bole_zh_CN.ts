@@ -4,6 +4,19 @@
     <context>
         <name>QObject</name>
         <message>
+            <source>%1 (%2)</source>
+            <translation>%1(%2)</translation>
+        </message>
+        <message>
+            <source>%1 or %2</source>
+            <translation>%1 或 %2</translation>
+        </message>
+        <message>
+            <source>, </source>
+            <comment>formats</comment>
+            <translation>、</translation>
+        </message>
+        <message>
             <source>%1: %2</source>
             <translation>%1:%2</translation>
         </message>
