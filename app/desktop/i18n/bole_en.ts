@@ -82,4 +82,14 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>bole::desktop::StageStates</name>
+        <message numerus="yes">
+            <source>%n warning(s)</source>
+            <translation>
+                <numerusform>%n warning</numerusform>
+                <numerusform>%n warnings</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

@@ -992,18 +992,6 @@
     <context>
         <name>bole::desktop::PipelinePanel</name>
         <message>
-            <source>running</source>
-            <translation>运行中</translation>
-        </message>
-        <message>
-            <source>done</source>
-            <translation>完成</translation>
-        </message>
-        <message>
-            <source>failed</source>
-            <translation>失败</translation>
-        </message>
-        <message>
             <source>Stage</source>
             <translation>步骤</translation>
         </message>
@@ -1026,18 +1014,6 @@
         <message>
             <source>What slice and profile show</source>
             <translation>横切面和纵剖面显示的内容</translation>
-        </message>
-        <message>
-            <source>cannot run</source>
-            <translation>无法运行</translation>
-        </message>
-        <message>
-            <source>skipped</source>
-            <translation>已跳过</translation>
-        </message>
-        <message>
-            <source>This stage runs when its file is given.</source>
-            <translation>指定文件后此步骤才会运行。</translation>
         </message>
         <message>
             <source>add %1</source>
@@ -1078,10 +1054,6 @@
         <message>
             <source>Add stage behind</source>
             <translation>在其后添加步骤</translation>
-        </message>
-        <message>
-            <source>warnings</source>
-            <translation>有警告</translation>
         </message>
         <message>
             <source>Select a stage first.</source>
@@ -2407,6 +2379,55 @@
         <message>
             <source>Whole picture</source>
             <translation>整幅图像</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::StageStates</name>
+        <message>
+            <source>running</source>
+            <translation>运行中</translation>
+        </message>
+        <message>
+            <source>done</source>
+            <translation>完成</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n warning(s)</source>
+            <translation>
+                <numerusform>%n 条警告</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>failed</source>
+            <translation>失败</translation>
+        </message>
+        <message>
+            <source>out of date</source>
+            <translation>已过期</translation>
+        </message>
+        <message>
+            <source>cannot run</source>
+            <translation>无法运行</translation>
+        </message>
+        <message>
+            <source>skipped</source>
+            <translation>已跳过</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 秒</translation>
+        </message>
+        <message>
+            <source>Took %1.</source>
+            <translation>用时 %1。</translation>
+        </message>
+        <message>
+            <source>This stage runs when its file is given.</source>
+            <translation>指定文件后此步骤才会运行。</translation>
+        </message>
+        <message>
+            <source>Something that this stage depends on was changed since it ran. Run the pipeline.</source>
+            <translation>此步骤运行之后,它所依赖的内容已更改。请重新运行处理流程。</translation>
         </message>
     </context>
     <context>
