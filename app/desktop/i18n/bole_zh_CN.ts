@@ -1839,6 +1839,30 @@
     <context>
         <name>bole::desktop::Workbench</name>
         <message>
+            <source>Pipeline graph</source>
+            <translation>流程图</translation>
+        </message>
+        <message>
+            <source>Pipeline as a graph</source>
+            <translation>以流程图显示处理流程</translation>
+        </message>
+        <message>
+            <source>Whole graph</source>
+            <translation>显示整个流程图</translation>
+        </message>
+        <message>
+            <source>Save the graph</source>
+            <translation>保存流程图</translation>
+        </message>
+        <message>
+            <source>Save the graph as a picture…</source>
+            <translation>将流程图存为图片…</translation>
+        </message>
+        <message>
+            <source>Pictures (*.svg *.png)</source>
+            <translation>图片 (*.svg *.png)</translation>
+        </message>
+        <message>
             <source>Decision</source>
             <translation>决定</translation>
         </message>
@@ -2428,6 +2452,64 @@
         <message>
             <source>Something that this stage depends on was changed since it ran. Run the pipeline.</source>
             <translation>此步骤运行之后,它所依赖的内容已更改。请重新运行处理流程。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::StageGraph</name>
+        <message>
+            <source>point cloud</source>
+            <translation>点云</translation>
+        </message>
+        <message>
+            <source>table</source>
+            <translation>表格</translation>
+        </message>
+        <message>
+            <source>raster</source>
+            <translation>栅格</translation>
+        </message>
+        <message>
+            <source>trajectory</source>
+            <translation>轨迹</translation>
+        </message>
+        <message>
+            <source>frames</source>
+            <translation>帧</translation>
+        </message>
+        <message>
+            <source>views</source>
+            <translation>视图</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n array(s)</source>
+            <translation>
+                <numerusform>%n 个数组</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>adds %n array(s)</source>
+            <translation>
+                <numerusform>新增 %n 个数组</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::GraphView</name>
+        <message>
+            <source>Pipeline graph</source>
+            <translation>流程图</translation>
+        </message>
+        <message>
+            <source>needs %1</source>
+            <translation>缺少 %1</translation>
+        </message>
+        <message>
+            <source>not run</source>
+            <translation>未运行</translation>
+        </message>
+        <message>
+            <source>The required input %1 is not connected.</source>
+            <translation>必需的输入 %1 未连接。</translation>
         </message>
     </context>
     <context>
