@@ -137,6 +137,15 @@ class PicturesTest : public QObject {
     window.scene().look_along({0.5, 1.0, -0.55}, Eigen::Vector3d::UnitZ());
     compare("window_zh", &window);
   }
+  // The last one: its tab stays.
+  void graph() {
+    install_language(*QCoreApplication::instance(), "en");
+    auto* dock = window_->docks().find("graph");
+    dock->setFloating(true);
+    dock->show();
+    dock->resize(1100, 300);
+    compare("panel_graph", dock->widget());
+  }
 
  private:
   void compare(const QString& name, QWidget* widget) {

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QRegularExpression>
 #include <QStringList>
+#include <algorithm>
 #include <optional>
 
 #include "io/core/formats.h"
@@ -67,6 +68,16 @@ QString stage_title(const pipeline::StageType& type) {
 
 QString stage_help(const pipeline::StageType& type) {
   return QCoreApplication::translate("stage help", type.help.c_str());
+}
+
+QString stage_title(const pipeline::PipelineDocument& document, const pipeline::StageNode& node) {
+  const bool twin = std::ranges::count(document.stages(), node.type, &pipeline::StageNode::type) > 1;
+  const QString title = stage_title(*node.type);
+  return twin ? QString("%1 (%2)").arg(title, QString::fromStdString(node.id)) : title;
+}
+
+QString stage_description(const pipeline::StageNode& node) {
+  return QString::fromStdString(node.id + " (" + node.type->name + ")\n") + stage_help(*node.type);
 }
 
 // An option means something else in another stage ("seed"), a word in another option ("none"): such translations have

@@ -5,12 +5,15 @@
 #include <QString>
 #include <string>
 
-#include "pipeline/stage.h"
+#include "pipeline/document.h"
 
 namespace bole::desktop {
 
 QString stage_title(const pipeline::StageType& type);
 QString stage_help(const pipeline::StageType& type);
+// In a document: with its id where there are several of the type.
+QString stage_title(const pipeline::PipelineDocument& document, const pipeline::StageNode& node);
+QString stage_description(const pipeline::StageNode& node);  // id, type and help, for a tooltip
 
 QString option_label(const pipeline::StageType& type, const OptionSpec& spec);  // "Min dbh"
 QString option_help(const OptionSpec& spec);
