@@ -11,7 +11,7 @@ import time
 import unittest
 import unittest.mock
 
-from toy import BAD_INPUT, CANCELLED, ENGINE, FAILED, FINISHED_EARLY, Toy, signal
+from toy import BAD_INPUT, BOLE, CANCELLED, ENGINE, FAILED, FINISHED_EARLY, Toy, signal
 
 LOCAL = ("--engine", "local", "--workers", "2")
 
