@@ -148,6 +148,10 @@
             <translation>%1 m 内未见地面:此处地形为内插</translation>
         </message>
         <message>
+            <source>begins at the lowest points of the cloud and does not widen there: its foot may be missing</source>
+            <translation>从点云最低处开始,且在该处没有变粗:树干基部可能缺失</translation>
+        </message>
+        <message>
             <source>added by hand</source>
             <translation>人工添加</translation>
         </message>

@@ -26,6 +26,8 @@ struct SizedStem {
   double dbh_sd_cm = 0;  // NaN where no interval is known, as for diameters taped by hand
   double height_m = 0;   // of a top that was seen, else NaN
   double volume_m3 = 0;  // by its own stem curve, else NaN
+  // By so much the interval reaches further down than up: an error that points the same way in all stems.
+  double dbh_too_large_cm = 0;
 };
 
 // Least squares of d / sqrt(h - b.h.) over d, once more without heights off by over 3 standard deviations. Nothing with

@@ -128,6 +128,14 @@ void take_sound(const std::vector<SizedStem>& stems, PlotValues& m) {
   m.sound.quadratic_mean_dbh_cm = std::sqrt(squares / n);
 }
 
+// Where rays are not known an interval can reach further down than up (stems.measure). NaN intervals stay NaN.
+SizedStem sized_stem(double dbh_cm, double low_cm, double high_cm, double height_m, double volume_m3) {
+  constexpr double rounding_cm = 0.021;  // of three columns with two decimals
+  const double further_down_cm = (dbh_cm - low_cm) - (high_cm - dbh_cm);
+  if (further_down_cm > rounding_cm) return {dbh_cm, (high_cm - dbh_cm) / z_95, height_m, volume_m3, further_down_cm};
+  return {dbh_cm, (high_cm - low_cm) / (2 * z_95), height_m, volume_m3, 0};
+}
+
 }  // namespace
 
 bool many_to_check(const PlotValues& v) {
@@ -162,7 +170,7 @@ PlotValues plot_values(const Table& stems, const CountingRule& rule, const PlotV
   const auto state = texts_or_empty(stems, "state"), quality = texts_or_empty(stems, "quality");
   std::vector<SizedStem> sized;
   for (const auto i : counted_rows(stems, rule)) {
-    sized.push_back({dbh[i], (high[i] - low[i]) / (2 * z_95), height[i], volume[i]});
+    sized.push_back(sized_stem(dbh[i], low[i], high[i], height[i], volume[i]));
     m.counted.push_back({i, is_to_check(state[i], quality[i])});
   }
   m.stems = sized.size();

@@ -15,14 +15,16 @@ constexpr double shared_part = 0.25;
 // Of a sum of values whose standard deviations are `sd`, partly shared.
 class Spread {
  public:
-  void add(double sd) {
+  // `one_way` is how far the value can be off in the direction that all stems share.
+  void add(double sd, double one_way) {
     own_ += (1 - shared_part * shared_part) * sd * sd;
     shared_ += shared_part * sd;
+    one_way_ += one_way;
   }
-  double half() const { return z_95 * std::sqrt(own_ + shared_ * shared_); }
+  double half() const { return z_95 * std::sqrt(own_ + shared_ * shared_) + one_way_; }
 
  private:
-  double own_ = 0, shared_ = 0;
+  double own_ = 0, shared_ = 0, one_way_ = 0;
 };
 
 // Root mean square of sd / DBH where an interval is known; NaN where none is.
@@ -52,7 +54,8 @@ StemValues values_of(const SizedStem& s, double diameter_relative_sd, const std:
   v.volume_m3 = v.own_volume ? s.volume_m3 : form_volume_m3(s.dbh_cm, v.height_m, assumed.breast_height_m);
   v.volume_half_m3 =
       z_95 * v.volume_m3 *
-      std::hypot(own_relative_sd(v, diameter_relative_sd, curve), v.own_volume ? 0 : assumed.form_sd_pct / 100);
+          std::hypot(own_relative_sd(v, diameter_relative_sd, curve), v.own_volume ? 0 : assumed.form_sd_pct / 100) +
+      2 * v.volume_m3 * s.dbh_too_large_cm / s.dbh_cm;
   return v;
 }
 
@@ -80,9 +83,10 @@ StandValues stand_values(const std::vector<SizedStem>& stems, const StandAssumpt
     sum_d2 += s.dbh_cm * s.dbh_cm;
     area_squares += g * g;
     volume_squares += m3 * m3;
-    area.add(2 * g * relative);
-    squares.add(s.dbh_cm * s.dbh_cm * relative);
-    volume.add(m3 * own_relative_sd(stem, relative, v.curve));
+    const double one_way = s.dbh_too_large_cm / s.dbh_cm;
+    area.add(2 * g * relative, 2 * g * one_way);
+    squares.add(s.dbh_cm * s.dbh_cm * relative, s.dbh_cm * s.dbh_cm * one_way);
+    volume.add(m3 * own_relative_sd(stem, relative, v.curve), 2 * m3 * one_way);
     v.by_stem.push_back(stem);
   }
   const auto n = static_cast<double>(stems.size());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/angles.h"
 #include "base/statistics.h"
 #include "stems/core/fit/stem_quality.h"
 
@@ -58,6 +59,24 @@ void find_blurred(const std::vector<Stem>& stems, Report& report) {
                           100 * scatter_m, stems.size()));
 }
 
+// Diameters of stems that were seen in part are too large by what the beam was wide, and a cloud without rays does not
+// say how wide it was. It is the same for all stems: no number of them averages it away.
+void find_unknown_beam(const std::vector<Stem>& stems, Report& report) {
+  constexpr double matters_cm = 0.5, matters_share = 0.02;  // of a diameter
+  std::vector<double> allowed_cm, arcs_deg;
+  for (const auto& s : stems)
+    if (const double cm = 200 * s.edges_m; cm > std::max(matters_cm, matters_share * 200 * s.radius))
+      allowed_cm.push_back(cm), arcs_deg.push_back(s.arc_rad * deg_per_rad);
+  if (3 * allowed_cm.size() < stems.size() || allowed_cm.empty()) return;
+  const auto n = allowed_cm.size();
+  report.find(Severity::look, "beam_unknown",
+              fmt::format("{} of {} stems were seen on {:.0f} deg of their bark or less, and nothing says how wide the "
+                          "beam of the scanner was: their diameters can be too large by {:.1f} cm (half of them by "
+                          "more). Give the path of the scanner (trajectory.file, for a cloud with times), or scan from "
+                          "more sides",
+                          n, stems.size(), *std::ranges::max_element(arcs_deg), upper_median(std::move(allowed_cm))));
+}
+
 void tell_bark(const MeasureOptions& options, Report& report) {
   const double sd_mm = 1e3 * options.bark_relief_sd, added_mm = 2e3 * options.bark_relief;
   report.find(Severity::note, "bark_convention",
@@ -78,8 +97,10 @@ void judge_bark(const std::vector<Stem>& stems, const MeasureOptions& options, b
   find_noise(stems, noise_m, report);
   if (along_rays)
     tell_bark(options, report);  // noise along known rays is told apart from the bark
-  else
+  else {
     find_blurred(stems, report);
+    find_unknown_beam(stems, report);
+  }
 }
 
 }  // namespace bole::stems

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
+#include "base/statistics.h"
 #include "cloud/core/height_facts.h"
 #include "cloud/point_cloud.h"
 #include "stems/core/tree/tree_axis.h"
@@ -26,12 +28,15 @@ constexpr double max_depth_m = 0.30;     // of bark below the terrain
 constexpr double max_start_m = 0.50;     // of bark above a terrain that was not seen
 constexpr double ground_m = 0.15;        // a point as near to the terrain is ground, in a cloud without classes
 constexpr int min_ground_points = 5;
+constexpr double foot_m = 0.15;     // of the heights where a stem that is whole widens
+constexpr double min_flare = 0.12;  // of the radius
 constexpr double tile_m = 2.0;
 
 // What the cloud shows about one foot.
 struct Foot {
   int ground_points = 0;  // beside the stem
   std::array<int, bins> bark{};
+  std::vector<double> at_foot;  // of the lowest points: distances from the axis, up to two radii
 };
 
 class FeetFinder {
@@ -68,6 +73,7 @@ class FeetFinder {
     if (it == stems_at_.end()) return;
     for (const auto k : it->second) {
       const double beside = (p.head<2>() - axes_[k].at(p.z())).norm() - axes_[k].radius;
+      if (h >= 0 && h < foot_m && beside < axes_[k].radius) feet_[k].at_foot.push_back(beside + axes_[k].radius);
       if (std::abs(beside) <= bark_m)
         ++feet_[k].bark[std::min(bins - 1, static_cast<std::size_t>((h - lowest_m) / bin_m))];
       else if (ground && beside > 0 && beside <= look_around_m)
@@ -102,7 +108,14 @@ double bark_begins(const Foot& foot, const Stem& stem) {
   return lowest_m + bin_m * static_cast<double>(lowest);
 }
 
-enum class Fault { none, below, in_air, filled };
+// A stem widens at its foot, and soil lies beside it. One that was cut off higher up does neither.
+bool shows_foot(const Foot& foot, const Stem& stem, double breast_height_m) {
+  if (foot.at_foot.size() < static_cast<std::size_t>(min_ground_points)) return false;
+  const double expected = stem.radius + std::max(0.0, -stem.taper) * breast_height_m;
+  return upper_median(std::vector<double>(foot.at_foot)) > (1 + min_flare) * expected;
+}
+
+enum class Fault { none, below, in_air, filled, no_foot };
 
 void lower(Stem& s, int steps, Reason reason) {
   s.reasons.push_back(std::move(reason));
@@ -114,7 +127,12 @@ void lower(Stem& s, int steps, Reason reason) {
   }
 }
 
-Fault check_foot(Stem& s, const Foot& foot, double breast_height_m) {
+Fault check_foot(Stem& s, const Foot& foot, double breast_height_m, bool of_lowest_points) {
+  if (of_lowest_points) {
+    if (foot.ground_points >= min_ground_points || shows_foot(foot, s, breast_height_m)) return Fault::none;
+    lower(s, 1, {StemReason::foot_not_seen});
+    return Fault::no_foot;
+  }
   const double begins = bark_begins(foot, s);
   if (begins < -max_depth_m) {
     lower(s, 2, {StemReason::below_terrain, {-begins, breast_height_m}});
@@ -129,21 +147,74 @@ Fault check_foot(Stem& s, const Foot& foot, double breast_height_m) {
   return Fault::filled;
 }
 
+constexpr float layer_m = 0.1F, above_m = 0.3F, top_m = 1.3F;  // the terrain, and what stands on it
+constexpr double layers_above = 5;                             // from above_m to top_m, each 2 layer_m thick
+
+struct Layers {
+  std::size_t at_terrain = 0, above = 0;
+  void add(float h) {
+    at_terrain += std::abs(h) < layer_m;
+    above += h >= above_m && h < top_m;
+  }
+  // How much denser points lie at the terrain than above it, layer for layer.
+  double contrast() const { return static_cast<double>(at_terrain) * layers_above / static_cast<double>(above); }
+};
+
+// Of the cells of 1 m with points enough, the share where ground stands out.
+double cells_with_ground(const PointCloud& points, const std::vector<float>& heights) {
+  constexpr std::size_t min_points = 20;
+  constexpr double stands_out = 2;
+  std::unordered_map<std::int64_t, Layers> cells;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto& p = points.positions()[i];
+    if (heights[i] > -layer_m && heights[i] < top_m)
+      cells[(static_cast<std::int64_t>(std::floor(p.y())) << 32) + static_cast<std::int64_t>(std::floor(p.x()))].add(
+          heights[i]);
+  }
+  std::size_t known = 0, clear = 0;
+  for (const auto& [place, cell] : cells)
+    if (cell.at_terrain + cell.above >= min_points) ++known, clear += cell.above == 0 || cell.contrast() > stands_out;
+  return known > 0 ? static_cast<double>(clear) / static_cast<double>(known) : 1;
+}
+
+// Ground that was seen has 10 times as many points as what stands on it, and more, also under shrubs. Where a cloud was
+// cut above the ground its lowest points are twigs, grass and bark like those above them. Bark can be dense where
+// ground is not: the cells tell that apart.
+void judge_contrast(std::size_t stems, const PointCloud& points, Report& report) {
+  constexpr double no_ground = 2, doubtful = 3, most_cells = 0.5;
+  constexpr std::size_t min_stems = 3, min_above = 1000;
+  const auto& heights = points.values<float>(arrays::height_above_ground);
+  Layers all;
+  for (const float h : heights) all.add(h);
+  if (stems < min_stems || all.above < min_above || all.contrast() >= doubtful) return;
+  if (cells_with_ground(points, heights) > most_cells) return;
+  report.find(
+      all.contrast() < no_ground ? Severity::refused : Severity::look, "ground_no_surface",
+      fmt::format(
+          "points lie only {:.1f} times as dense at the terrain as 0.3 to 1.3 m above it (ground that was seen: "
+          "10 times and more): the cloud was cut above the ground, or the ground was hardly seen. Breast height "
+          "of all {} stems is a guess. Give the cloud with its ground, or set ground.method=normalised if z is "
+          "the height above ground",
+          all.contrast(), stems));
+}
+
 }  // namespace
 
 void check_ground(std::vector<Stem>& stems, const PointCloud& points, double breast_height_m, const Run& run,
                   Report& report) {
   if (stems.empty()) return;
   const auto feet = FeetFinder(stems, points).find(run);
-  // Heights above z = 0 or above the lowest points need no ground, and without the fact nobody looked for it.
+  // Heights above z = 0 need no ground, and without the fact nobody looked for it.
   const auto terrain = fact_text(points.facts, facts::terrain);
   const bool feet_alone = terrain == choice_name(TerrainSource::feet);
   const bool needs_ground = feet_alone || terrain == choice_name(TerrainSource::ground);
+  const bool of_lowest_points = terrain == choice_name(TerrainSource::lowest);
+  if (terrain == choice_name(TerrainSource::ground)) judge_contrast(stems.size(), points, report);
   std::map<Fault, std::size_t> found;
   for (std::size_t k = 0; k < stems.size(); ++k) {
     Foot foot = feet[k];
-    if (!needs_ground) foot.ground_points = min_ground_points;
-    ++found[check_foot(stems[k], foot, breast_height_m)];
+    if (!needs_ground && !of_lowest_points) foot.ground_points = min_ground_points;
+    ++found[check_foot(stems[k], foot, breast_height_m, of_lowest_points)];
   }
   const auto tell = [&](Fault fault, Severity most, const char* code, const char* words, const char* remedy) {
     const auto n = found[fault];
@@ -159,6 +230,11 @@ void check_ground(std::vector<Stem>& stems, const PointCloud& points, double bre
       "above ground, else lower ground.max_slope or give the cloud with its ground");
   tell(Fault::in_air, Severity::refused, "stems_begin_in_air", "begin in the air and no ground was seen below them",
        "breast height is uncertain. Give the cloud with its ground, or scan from more sides");
+  tell(Fault::no_foot, Severity::look, "foot_not_seen",
+       "do not widen at the lowest points of the cloud, and no ground lies there",
+       "heights count from those points. If feet are missing, breast height is too high and the diameter too small. "
+       "Give "
+       "the tree with some ground around it");
   // Between seen ground a terrain can be filled in. Where feet are all there is, nobody knows what is missing of them.
   tell(Fault::filled, feet_alone ? Severity::refused : Severity::look, "terrain_filled_under_stems",
        "stand where no ground was seen within 1 m",

@@ -55,6 +55,20 @@ TEST(PlotValues, ByHand) {
   EXPECT_DOUBLE_EQ(m.dominant_height_m, 17.25);
 }
 
+// What lets all diameters be too large does not average away: the basal area can be too large by as much.
+TEST(PlotValues, AnIntervalThatReachesFurtherDownIsSharedByAllStems) {
+  auto even = stems(), down = stems();
+  const auto dbh = even.numbers("dbh_cm");
+  std::vector<double> low, lower, high;
+  for (const double d : dbh) low.push_back(0.98 * d), lower.push_back(0.93 * d), high.push_back(1.02 * d);
+  even.set("dbh_lo_cm", low), even.set("dbh_hi_cm", high);
+  down.set("dbh_lo_cm", lower), down.set("dbh_hi_cm", high);
+  const auto a = plot_values(even, rectangle), b = plot_values(down, rectangle);
+  EXPECT_NEAR(b.stand.basal_area_m2.measured - a.stand.basal_area_m2.measured, 2 * 0.05 * a.basal_area_m2, 1e-9);
+  EXPECT_NEAR(b.stand.quadratic_mean_dbh_half_cm - a.stand.quadratic_mean_dbh_half_cm, 0.05 * a.quadratic_mean_dbh_cm,
+              1e-9);
+}
+
 // The check of the stand above is of 30 cm: 9 of the 30 squares of the basal area.
 TEST(PlotValues, StemsToCheckStandApart) {
   const auto m = plot_values(stems(), rectangle);

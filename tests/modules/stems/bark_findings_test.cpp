@@ -49,6 +49,19 @@ TEST(BarkFindings, TooFewPointsRefuseDiametersWhereMostStemsHaveThem) {
   EXPECT_THAT(most[0].text, HasSubstr("15 found in the middle of 3 of 4 stems"));
 }
 
+// The beam is the same for all stems: where a third of them depend on it, somebody must look.
+TEST(BarkFindings, AnUnknownBeamIsToldWhereStemsWereSeenInPart) {
+  auto stems = stems_of(6, 0.01);
+  stems[0].edges_m = 0.008, stems[0].arc_rad = 4.2;
+  EXPECT_THAT(findings(stems, false), testing::IsEmpty());
+  stems[1].edges_m = 0.009, stems[1].arc_rad = 4.0;
+  const auto found = findings(stems, false);
+  EXPECT_THAT(found, ElementsAre(is("beam_unknown", Severity::look)));
+  EXPECT_THAT(found[0].text, HasSubstr("2 of 6 stems were seen on 241 deg of their bark or less"));
+  EXPECT_THAT(found[0].text, HasSubstr("too large by 1.8 cm"));
+  EXPECT_THAT(found[0].text, HasSubstr("trajectory.file"));
+}
+
 TEST(BarkFindings, NoStemsNoWord) { EXPECT_THAT(findings({}, true, 0.03), testing::IsEmpty()); }
 
 }  // namespace

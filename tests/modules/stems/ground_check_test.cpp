@@ -56,7 +56,7 @@ std::size_t with_reason(const StemSurvey& survey, const std::string& words) {
 TEST(GroundCheck, GroundAroundEveryStemIsNoReason) {
   const auto survey = measure(stand_on_terrain(0, 0, true));
   EXPECT_EQ(survey.stems.size(), 9U);
-  EXPECT_TRUE(survey.report.findings.empty());
+  EXPECT_TRUE(survey.report.findings.empty()) << survey.report.findings.front().text;
   EXPECT_EQ(survey.report.counts.at("points_below_terrain"), 0);
 }
 
@@ -100,6 +100,30 @@ TEST(GroundCheck, StemsWithoutFeetBeginInTheAir) {
   EXPECT_EQ(with_reason(survey, "begins 0."), survey.stems.size());
   // A hidden foot is harmless where the ground beside it was seen.
   EXPECT_TRUE(measure(stand_on_terrain(0.8, 0, true)).report.findings.empty());
+}
+
+// The lowest points of such a cloud are bark and twigs like those above them.
+TEST(GroundCheck, ACloudThatWasCutAboveTheGroundHasNoSurface) {
+  const auto survey = measure(stand_on_terrain(0.4, 0.4, false));
+  const auto* told = finding(survey.report, "ground_no_surface");
+  ASSERT_TRUE(told);
+  EXPECT_EQ(told->severity, Severity::refused);
+  EXPECT_THAT(told->text, HasSubstr("Give the cloud with its ground"));
+}
+
+// A tree that was cut out: without a foot that widens, and without soil beside it, nobody knows what is missing below.
+TEST(GroundCheck, LowestPointsAreNoFootUnlessTheyLookLikeOne) {
+  auto cloud = stand_on_terrain(0, 0, false);
+  set_fact(cloud.points.facts, facts::terrain, "lowest");
+  const auto survey = measure(cloud);
+  const auto* told = finding(survey.report, "foot_not_seen");
+  ASSERT_TRUE(told);
+  EXPECT_EQ(told->severity, Severity::look);
+  EXPECT_EQ(with_reason(survey, "its foot may be missing"), survey.stems.size());
+  EXPECT_EQ(std::ranges::count(survey.stems, "good", &Stem::quality), 0);
+  auto with_soil = stand_on_terrain(0, 0, true);
+  set_fact(with_soil.points.facts, facts::terrain, "lowest");
+  EXPECT_TRUE(measure(with_soil).report.findings.empty());
 }
 
 TEST(GroundCheck, HeightsOfANormalisedCloudNeedNoGround) {

@@ -106,6 +106,25 @@ TEST(MeasureStems, WithoutRaysTheSurfaceIsFitted) {
   EXPECT_LT(e.rmse, 0.3);
 }
 
+// Nobody knows the beam of a cloud without rays, and stems seen in part depend on it: their intervals reach further
+// down, the more so the less of them was seen.
+TEST(MeasureStems, WithoutRaysStemsSeenInPartMayBeTooThick) {
+  auto o = coarse();
+  o.passes = 1, o.rays = false, o.time = false;
+  const auto stand = random_stand(9, 0.2, 0.4, 3);
+  const auto further_down = [](const Stem& s) { return 2 * s.radius - s.radius_low - s.radius_high; };
+  std::size_t in_part = 0;
+  for (const auto& s : measure(make_stem_cloud(stand, o)).stems) {
+    EXPECT_NEAR(further_down(s), s.edges_m, 1e-12);
+    if (s.arc_rad > 1.7 * std::numbers::pi) continue;
+    ++in_part;
+    EXPECT_GT(further_down(s), 0.1 * s.sigma_m);
+  }
+  EXPECT_GT(in_part, 3U);
+  o.rays = o.time = true;
+  for (const auto& s : measure(make_stem_cloud(stand, o)).stems) EXPECT_NEAR(further_down(s), 0, 1e-12);
+}
+
 TEST(MeasureStems, ShrubsAndOutliersAreNoStems) {
   auto o = coarse();
   o.shrub_points = 20000, o.outlier_share = 0.05;

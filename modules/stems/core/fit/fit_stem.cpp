@@ -48,6 +48,15 @@ double unseen_shape_sd(double radius_m, double arc_rad) {
 // Without rays a wide beam and noise across the bark make circles too wide, by more where points scatter more.
 double unknown_beam_sd(double sigma_m) { return 0.12 * sigma_m; }
 
+// And points of a wide beam that brushed the edges of a stem lie beside it. Where it was seen all round others tell
+// against them; the less of it was seen, the more its circle follows them, and always outward. What that comes to for a
+// given arc was looked at on simulated scans of four sensors (docs/dev/diameters.md, "Clouds without rays").
+double unknown_edges_m(double sigma_m, double arc_rad) {
+  constexpr double by_unseen_squared = 10, most = 2;  // of the scatter
+  const double unseen = std::max(0.0, 1 - arc_rad / (2 * std::numbers::pi));
+  return sigma_m * std::min(most, by_unseen_squared * unseen * unseen);
+}
+
 // Where round a stem the points contradict its circle: well inside it, and hardly any on it. What lies outside may be
 // leaves; what lies inside had to pass through bark.
 class ContraryArc {
@@ -327,7 +336,8 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
                                    fit.along_rays ? 0 : unknown_beam_sd(fit.sigma_m)),
                sd = std::hypot(fit.radius_sd_m, shared, unseen),
                half = std::hypot(student_975(std::max(2.0, fit.blocks - 4.0)) * sd, shrink);
-  s.radius_low = std::max(0.0, s.radius - half), s.radius_high = s.radius + half;
+  s.edges_m = fit.along_rays ? 0 : unknown_edges_m(fit.sigma_m, covered_arc_rad(angles));
+  s.radius_low = std::max(0.0, s.radius - half - s.edges_m), s.radius_high = s.radius + half;
   s.inside_share = on + inside > 0 ? static_cast<double>(inside) / (on + inside) : 1;
   s.contrast = density.contrast();
   s.inliers = on, s.arc_rad = covered_arc_rad(angles), s.unbroken_arc_rad = unbroken_arc_rad(angles),
