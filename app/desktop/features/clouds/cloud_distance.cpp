@@ -28,7 +28,7 @@ std::optional<GlobalFrame> frame_for(const PointCloud& cloud, const Results& res
   return {};
 }
 
-double rounded(double value, double step) { return std::round(value / step) * step; }
+double to_step(double value, double step) { return std::round(value / step) * step; }
 
 }  // namespace
 
@@ -57,7 +57,7 @@ CloudMove move_onto(const CloudEntry& entry, const render::ClipBox& survey, cons
   if (const auto frame = frame_for(*entry.read->points, results)) {
     const Eigen::Vector3d middle(pivot.x(), pivot.y(), own.lo.z());
     move.shift_m = frame->to_local(middle) - middle;
-    if (!frame->heights_known) move.shift_m.z() = rounded(survey.lo.z() - own.lo.z(), 0.1);
+    if (!frame->heights_known) move.shift_m.z() = to_step(survey.lo.z() - own.lo.z(), 0.1);
     move.turn_deg = -degrees(frame->turn_rad());
     move.by_georeference = true;
     return move;
@@ -66,7 +66,7 @@ CloudMove move_onto(const CloudEntry& entry, const render::ClipBox& survey, cons
   stays.shift_m.setZero();
   const auto now = placed_extent(stays);
   const Eigen::Vector3d by = (survey.lo + survey.hi - now.lo - now.hi) / 2;
-  move.shift_m = {rounded(by.x(), 1), rounded(by.y(), 1), rounded(survey.lo.z() - now.lo.z(), 0.1)};
+  move.shift_m = {to_step(by.x(), 1), to_step(by.y(), 1), to_step(survey.lo.z() - now.lo.z(), 0.1)};
   move.turn_deg = entry.turn_deg;
   return move;
 }

@@ -29,7 +29,7 @@
 namespace bole::desktop {
 namespace {
 
-constexpr int id_role = Qt::UserRole, swatch_px = 14;
+constexpr int cloud_id_role = Qt::UserRole, swatch_px = 14;
 constexpr double max_shift_m = 1e8, max_size_px = 12;
 const QString one_color;  // in place of an array
 
@@ -70,7 +70,7 @@ void put_action(QToolButton& button, QAction& action, const QString& short_text)
 
 void show_row(QTreeWidgetItem& item, const CloudEntry& cloud) {
   item.setText(0, cloud.name());
-  item.setData(0, id_role, cloud.id);
+  item.setData(0, cloud_id_role, cloud.id);
   item.setFlags(item.flags() | Qt::ItemIsUserCheckable);
   item.setCheckState(0, cloud.visible ? Qt::Checked : Qt::Unchecked);
   item.setIcon(0, swatch(qt_color(cloud.color)));
@@ -160,10 +160,10 @@ void CloudPanel::make_list() {
     bench_.commands().update();
   });
   connect(list_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
-    if (!following_) clouds_.show(item->data(0, id_role).toInt(), item->checkState(0) == Qt::Checked);
+    if (!following_) clouds_.show(item->data(0, cloud_id_role).toInt(), item->checkState(0) == Qt::Checked);
   });
   connect(list_, &QTreeWidget::itemDoubleClicked, this,
-          [this](QTreeWidgetItem* item) { clouds_.zoom_to(item->data(0, id_role).toInt()); });
+          [this](QTreeWidgetItem* item) { clouds_.zoom_to(item->data(0, cloud_id_role).toInt()); });
 }
 
 QWidget* CloudPanel::make_buttons() {
@@ -220,11 +220,13 @@ void CloudPanel::make_look_rows(QFormLayout* form) {
   form->addRow(tr("Point size"), size_);
 }
 
-int CloudPanel::current() const { return list_->currentItem() ? list_->currentItem()->data(0, id_role).toInt() : 0; }
+int CloudPanel::current() const {
+  return list_->currentItem() ? list_->currentItem()->data(0, cloud_id_role).toInt() : 0;
+}
 
 void CloudPanel::select(int id) {
   for (int row = 0; row < list_->topLevelItemCount(); ++row)
-    if (list_->topLevelItem(row)->data(0, id_role).toInt() == id) list_->setCurrentItem(list_->topLevelItem(row));
+    if (list_->topLevelItem(row)->data(0, cloud_id_role).toInt() == id) list_->setCurrentItem(list_->topLevelItem(row));
 }
 
 void CloudPanel::come_forward() { bench_.docks().raise("clouds"); }
@@ -238,7 +240,7 @@ void CloudPanel::follow_list() {
   following_ = true;
   bool same = list_->topLevelItemCount() == static_cast<int>(clouds.size());
   for (std::size_t k = 0; same && k < clouds.size(); ++k)
-    same = list_->topLevelItem(static_cast<int>(k))->data(0, id_role).toInt() == clouds[k].id;
+    same = list_->topLevelItem(static_cast<int>(k))->data(0, cloud_id_role).toInt() == clouds[k].id;
   if (!same) {
     list_->clear();
     for (std::size_t k = 0; k < clouds.size(); ++k) new QTreeWidgetItem(list_);
