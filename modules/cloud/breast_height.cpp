@@ -9,13 +9,13 @@ namespace bole {
 inline namespace cloud {
 namespace {
 
-constexpr char fact[] = "breast_height_m";
+constexpr char breast_height_fact[] = "breast_height_m";
 constexpr double min_m = 0.1, max_m = 5;
 
 }  // namespace
 
 double breast_height_m(const Table& stems) {
-  const auto it = stems.facts.find(fact);
+  const auto it = stems.facts.find(breast_height_fact);
   if (it == stems.facts.end()) return usual_breast_height_m;
   const std::string& text = it->second;
   double height = 0;
@@ -26,7 +26,7 @@ double breast_height_m(const Table& stems) {
   return height;
 }
 
-void set_breast_height_m(Table& stems, double height_m) { stems.facts[fact] = number_text(height_m); }
+void set_breast_height_m(Table& stems, double height_m) { stems.facts[breast_height_fact] = number_text(height_m); }
 
 }  // namespace cloud
 }  // namespace bole

@@ -73,7 +73,7 @@ Vector2d along_bearing(const Vector2d& d, double bearing_rad) {
   return {c * d.x() - s * d.y(), s * d.x() + c * d.y()};
 }
 
-double fact(const Table& table, const std::string& name) {
+double fact_number(const Table& table, const std::string& name) {
   const auto it = table.facts.find(name);
   if (it == table.facts.end())
     throw bad_input("a table without '" + name + "' in its facts", "the plot of a stage survey.plot");
@@ -176,11 +176,11 @@ Table to_table(const CountingRule& rule) {
 
 CountingRule counting_rule(const Table& table) {
   CountingRule rule;
-  rule.min_dbh_cm = fact(table, "min_dbh_cm");
+  rule.min_dbh_cm = fact_number(table, "min_dbh_cm");
   auto& area = rule.area;
-  area.centre = {fact(table, "centre_x_m"), fact(table, "centre_y_m")};
-  area.width_m = fact(table, "width_m"), area.length_m = fact(table, "length_m");
-  area.bearing_rad = fact(table, "bearing_rad");
+  area.centre = {fact_number(table, "centre_x_m"), fact_number(table, "centre_y_m")};
+  area.width_m = fact_number(table, "width_m"), area.length_m = fact_number(table, "length_m");
+  area.bearing_rad = fact_number(table, "bearing_rad");
   for (const auto& [shape, name] : shape_names)
     if (table.facts.at("shape") == name) area.shape = shape;
   if (area.shape == Shape::polygon) {

@@ -29,6 +29,13 @@ std::string range_text(const OptionSpec& spec) {
   return limit_text(spec, spec.min) + " to " + limit_text(spec, spec.max) + or_unset;
 }
 
+// "`points`, `slice`?"
+std::string port_names(const std::vector<Port>& ports) {
+  std::string text;
+  for (const auto& p : ports) text += fmt::format("{}`{}`{}", text.empty() ? "" : ", ", p.name, p.optional ? "?" : "");
+  return text;
+}
+
 std::string ports_markdown(const std::vector<Port>& ports, bool inputs) {
   std::string text = "| port | kind | arrays | |\n|---|---|---|---|\n";
   for (const auto& p : ports) {
@@ -151,11 +158,13 @@ std::string stage_markdown(const StageType& type, std::string_view example) {
 }
 
 std::string stages_index_markdown(const StageRegistry& registry) {
-  std::string text = "# Stages\n\n| stage | |\n|---|---|\n";
+  std::string text = "# Stages\n\n| stage | | inputs | outputs |\n|---|---|---|---|\n";
   for (const auto* type : registry.all())
-    text += fmt::format("| [`{}`]({}.md) | {} |\n", type->name, type->name, type->title);
+    text += fmt::format("| [`{}`]({}.md) | {} | {} | {} |\n", type->name, type->name, type->title,
+                        port_names(type->inputs), port_names(type->outputs));
   return text +
-         "\nThe arrays that clouds carry are listed in [arrays](arrays.md).\nPrinted by `bole stages --markdown`.\n";
+         "\n`?` marks an optional port. The page of a stage has the arrays of its ports, and its options.\n"
+         "The arrays that clouds carry are listed in [arrays](arrays.md).\nPrinted by `bole stages --markdown`.\n";
 }
 
 std::string arrays_markdown() {

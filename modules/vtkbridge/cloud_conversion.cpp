@@ -23,7 +23,8 @@ namespace {
 
 static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float), "points are shared with VTK as three floats");
 
-vtkSmartPointer<vtkDataArray> column_to_vtk(const std::string& name, const std::shared_ptr<const Column>& column) {
+vtkSmartPointer<vtkDataArray> cloud_column_to_vtk(const std::string& name,
+                                                  const std::shared_ptr<const Column>& column) {
   struct {
     const std::string& name;
     const std::shared_ptr<const Column>& owner;
@@ -117,7 +118,7 @@ void to_vtk(const std::shared_ptr<const PointCloud>& cloud, vtkPolyData* out) {
   points->SetData(
       shared_array<vtkFloatArray>(cloud->positions().data(), cloud->size(), 3, cloud->shared_positions(), "Points"));
   out->SetPoints(points);
-  for (const auto& [name, column] : cloud->columns()) out->GetPointData()->AddArray(column_to_vtk(name, column));
+  for (const auto& [name, column] : cloud->columns()) out->GetPointData()->AddArray(cloud_column_to_vtk(name, column));
   set_facts(out, cloud->facts);
   set_vector3(out, "origin", cloud->origin);
   set_text(out, "axes", std::string(axes_name(cloud->axes)));

@@ -128,13 +128,6 @@ std::string finished_early_text(const RunOutcome& outcome) {
          ").\nRun the same pipeline again to have it whole.\n";
 }
 
-// One spelling for a folder: a result in the cache knows its files by their whole paths.
-fs::path whole_path(const fs::path& folder) {
-  if (folder.empty()) return folder;
-  const auto whole = fs::absolute(folder).lexically_normal();
-  return whole.has_filename() ? whole : whole.parent_path();
-}
-
 // Of a run that failed, where there is a survey before it.
 void keep_beside(pipeline::ResultFolder& folder, const fs::path& output_dir, RunOutcome& outcome) {
   outcome.kept_before = true;

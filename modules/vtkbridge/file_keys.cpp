@@ -82,12 +82,6 @@ void FileKeys::save() {
 
 namespace {
 
-// Without a slash at its end.
-fs::path whole_path(const fs::path& path) {
-  const fs::path whole = fs::absolute(path).lexically_normal();
-  return whole.has_filename() ? whole : whole.parent_path();
-}
-
 // The measurements of an inertial unit that a reader of scans finds by itself beside its file or folder.
 std::vector<fs::path> inertial_beside(const fs::path& path) {
   std::vector<fs::path> files;
@@ -184,6 +178,12 @@ std::string FileKeys::key(const fs::path& path, const Run& run) {
   } catch (const fs::filesystem_error&) {
     return "unreadable";
   }
+}
+
+fs::path whole_path(const fs::path& path) {
+  if (path.empty()) return path;
+  const auto whole = fs::absolute(path).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
 }
 
 }  // namespace bole::vtkbridge

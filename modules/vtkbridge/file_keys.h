@@ -35,6 +35,9 @@ class FileKeys {
   bool changed_ = false;
 };
 
+// One spelling for a file or folder: absolute, without a slash at its end. A result in the cache knows its files by it.
+std::filesystem::path whole_path(const std::filesystem::path& path);
+
 // A text that differs once a file, or a file of a folder, has another name, size, inode or time. Reads no contents.
 std::string change_stamp(const std::filesystem::path& path);
 

@@ -22,8 +22,8 @@ vtkSmartPointer<vtkStringArray> text_array(const std::vector<std::string>& texts
   return array;
 }
 
-vtkSmartPointer<vtkAbstractArray> column_to_vtk(const Table::NamedColumn& column,
-                                                const std::shared_ptr<const Table>& owner) {
+vtkSmartPointer<vtkAbstractArray> table_column_to_vtk(const Table::NamedColumn& column,
+                                                      const std::shared_ptr<const Table>& owner) {
   if (const auto* v = std::get_if<std::vector<double>>(&column.values))
     return shared_array<vtkDoubleArray>(v->data(), v->size(), 1, owner, column.name);
   if (const auto* v = std::get_if<std::vector<std::int64_t>>(&column.values))
@@ -65,7 +65,7 @@ void add_column(Table& table, vtkAbstractArray* array, int number) {
 
 void to_vtk(const std::shared_ptr<const Table>& table, vtkTable* out) {
   out->Initialize();
-  for (const auto& column : table->columns()) out->AddColumn(column_to_vtk(column, table));
+  for (const auto& column : table->columns()) out->AddColumn(table_column_to_vtk(column, table));
   set_facts(out, table->facts);
 }
 

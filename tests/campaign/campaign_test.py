@@ -11,7 +11,7 @@ import time
 import unittest
 import unittest.mock
 
-from toy import BAD_INPUT, CANCELLED, ENGINE, FAILED, FINISHED_EARLY, Toy, signal
+from toy import BAD_INPUT, BOLE, CANCELLED, ENGINE, FAILED, FINISHED_EARLY, Toy, signal
 
 LOCAL = ("--engine", "local", "--workers", "2")
 
@@ -206,6 +206,24 @@ class Documents(Toy):
         told = self.run_all(*LOCAL)
         self.assertIn("2 of 2 inputs that are done wrote no stems.csv", told)
         self.assertEqual({r["input_id"] for r in self.status().values()}, {"c1", "c2"})
+
+
+class Memory(Toy):
+    def test_every_format_of_clouds_has_an_estimate(self):
+        sys.path.insert(0, str(ENGINE))
+        from bole_campaign import memory, program
+
+        endings = program.cloud_endings(str(BOLE))
+        self.assertLessEqual({".las", ".laz", ".copc.laz", ".pts", ".asc", ".xyz", ".txt", ".csv", ".bin"}, set(endings))
+        self.assertEqual(set(memory.FACTORS) - set(endings.values()), set(), "formats that there are not")
+        for ending, name in endings.items():
+            self.assertEqual(memory.factor_of(f"a/B{ending.upper()}", str(BOLE)), memory.FACTORS.get(name, memory.FACTOR_OF_CLOUDS), ending)
+        for other in ("walk.pcap", "frames", "bag.mcap", "track.nmea"):
+            self.assertIsNone(memory.factor_of(other, str(BOLE)), other)
+        cloud = self.write("cloud.asc", "1 2 3\n" * 1000)
+        entry = {"memory_gib": None, "files": {"scan.file": [str(cloud)]}}
+        self.assertEqual(memory.declared_gib(entry, str(BOLE)), round(memory.BASE_GIB + 3.0 * 6000 / memory.GIB, 2))
+        self.assertEqual(memory.declared_gib({**entry, "memory_gib": 2.5}, str(BOLE)), 2.5)
 
 
 class PathLists(Toy):

@@ -85,6 +85,18 @@ class Program(unittest.TestCase):
         self.assertNotEqual(done.returncode, DONE)
         self.assertFalse((self.folder / "b.laz").exists())
 
+    def test_info_lists_the_formats(self):
+        formats = json.loads(self.bole("info", "--formats", "--json").stdout)
+        by_name = {(f["name"], f["stage"]): f for f in formats}
+        self.assertEqual(by_name["XYZ", "io.read_cloud"]["endings"], [".xyz", ".txt", ".asc"])
+        self.assertTrue(by_name["LAS", "io.read_cloud"]["written"] and not by_name["E57", "io.read_cloud"]["written"])
+        self.assertTrue(by_name["folder of frames", "io.read_scan"]["folder"])
+        told = self.bole("info", "--formats").stdout
+        self.assertEqual(len(told.splitlines()), len(formats))
+        self.assertIn("XYZ                      point cloud      .xyz, .txt, .asc", told)
+        self.assertNotEqual(self.bole("info").returncode, 0)
+        self.assertNotEqual(self.bole("info", "--formats", "a.las").returncode, 0)
+
     def test_info_goes_on_after_a_file_that_cannot_be_read(self):
         good, bad = self.write("a.xyz", "1 2 3\n4 5 6\n"), self.write("b.las", "a letter")
         done = self.bole("info", "--json", good, bad, good)

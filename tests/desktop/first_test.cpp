@@ -462,12 +462,14 @@ class FirstTest : public QObject {
 }  // namespace bole::desktop
 
 int run_fuzz_test(int argc, char** argv);
+int run_graph_test(int argc, char** argv);
 int run_view_tools_test(int argc, char** argv);
 
 int main(int argc, char** argv) {
   bole::desktop::TestApplication application(argc, argv);
   bole::desktop::install_language(application.qt(), "en");
   if (argc > 1 && QByteArray(argv[1]) == "--fuzz") return run_fuzz_test(argc - 1, argv + 1);
+  if (argc > 1 && QByteArray(argv[1]) == "--graph") return run_graph_test(argc - 1, argv + 1);
   if (argc > 1 && QByteArray(argv[1]) == "--view-tools") return run_view_tools_test(argc - 1, argv + 1);
   bole::desktop::FirstTest test;
   return QTest::qExec(&test, argc, argv);

@@ -5,6 +5,7 @@
 #include <QMenuBar>
 #include <QProcess>
 #include <QRegularExpression>
+#include <QSet>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -16,6 +17,7 @@
 #include "features/lesson/lesson_reader.h"
 #include "features/lesson/lesson_words.h"
 #include "features/stem_review/stem_review.h"
+#include "io/core/formats.h"
 #include "look/language.h"
 #include "render/charts/cross_section.h"
 #include "render/charts/linked_charts.h"
@@ -143,13 +145,55 @@ class LanguageTest : public QObject {
       for (const auto& spec : type->options->specs) {
         ++count;
         options.needed("option labels", option_label(*type, spec).toUtf8(), type->name);
-        words << lost(QString::fromStdString(spec.help), options.needed("option help", spec.help.c_str()));
+        const auto help = help_sentence(spec);
+        words << lost(QString::fromStdString(help), options.needed("option help", help.c_str()));
         for (const auto& choice : spec.choices) options.needed("choices", choice.c_str(), spec.name);
         if (!spec.unset.empty()) options.needed("choices", spec.unset.c_str(), spec.name);
       }
     QVERIFY(count > 100);
     QVERIFY2(options.complete(), qPrintable(options.report()));
     QVERIFY2(words.isEmpty(), qPrintable(words.join('\n')));
+  }
+
+  // The help of a reader names all its formats in both languages; the Chinese sentence has no list of its own.
+  void lists_of_formats_are_those_of_the_table() {
+    for (const auto content : io::all_contents) {
+      const auto& type = pipeline::StageRegistry::global().at(io::stage_of(content));
+      const auto& spec = type.options->specs.front();
+      QVERIFY2(help_sentence(spec).ends_with("%1."), spec.help.c_str());
+      install_language(*QCoreApplication::instance(), "en");
+      QCOMPARE(option_help(spec).toStdString(), spec.help);
+      install_language(*QCoreApplication::instance(), "zh_CN");
+      const QString chinese = option_help(spec);
+      QVERIFY2(chinese.startsWith(QStringLiteral("要读取的")) && !chinese.contains("%1"), qPrintable(chinese));
+      for (const auto& [name, bracket] : io::listed_formats(content))
+        for (const auto& text : {name, bracket})
+          QVERIFY(chinese.contains(QCoreApplication::translate("formats", text.c_str())));
+    }
+    const auto& cloud = pipeline::StageRegistry::global().at("io.read_cloud").options->at("file");
+    QVERIFY(option_help(cloud).startsWith(QStringLiteral("要读取的点云:COPC(.copc.laz)、LAZ、LAS、E57")));
+    const auto& scan = pipeline::StageRegistry::global().at("io.read_scan").options->at("file");
+    QVERIFY(option_help(scan).contains(QStringLiteral("或 帧文件夹(.bin, .pcd)")));
+  }
+
+  // No words of formats that are gone.
+  void words_of_formats_are_in_the_table() {
+    QSet<QString> known;
+    for (const auto content : io::all_contents)
+      for (const auto& [name, bracket] : io::listed_formats(content))
+        known << QString::fromStdString(name) << QString::fromStdString(bracket);
+    QFile file(QStringLiteral(BOLE_SOURCE_DIR) + "/app/desktop/i18n/options_zh_CN.ts");
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QXmlStreamReader xml(&file);
+    QString context;
+    while (!xml.atEnd()) {
+      xml.readNext();
+      if (!xml.isStartElement()) continue;
+      if (xml.name() == QLatin1String("name")) context = xml.readElementText();
+      if (xml.name() != QLatin1String("source") || context != "formats") continue;
+      const QString text = xml.readElementText();
+      QVERIFY2(known.contains(text), qPrintable(text));
+    }
   }
 
   void every_lesson_is_translated() {

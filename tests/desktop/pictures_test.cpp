@@ -164,6 +164,15 @@ class PicturesTest : public QObject {
     compare("clouds", window_.get());
     window_->session().discard_recovery();
   }
+  // The last one: its tab stays.
+  void graph() {
+    install_language(*QCoreApplication::instance(), "en");
+    auto* dock = window_->docks().find("graph");
+    dock->setFloating(true);
+    dock->show();
+    dock->resize(1100, 300);
+    compare("panel_graph", dock->widget());
+  }
 
  private:
   void compare(const QString& name, QWidget* widget) {

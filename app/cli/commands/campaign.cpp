@@ -59,13 +59,13 @@ fs::path engine_script() {
                 std::string("Install python3, or give the program with ") + python_variable + "=PATH");
 }
 
-struct Arguments {
+struct CampaignArguments {
   std::string campaign, out, scheduler, engine = "auto";
   int workers = 0, task = -1;
   double memory = 0;
   bool retry = false, json = false;
 };
-using Shared = std::shared_ptr<Arguments>;
+using Shared = std::shared_ptr<CampaignArguments>;
 
 void add_document(CLI::App& command, const Shared& args) {
   command.add_option("campaign", args->campaign, "Campaign document (JSON): pipeline and inputs")
@@ -79,14 +79,14 @@ void add_folder(CLI::App& command, const Shared& args) {
   command.add_option("folder", args->out, "Folder of the campaign")->type_name("DIR")->required();
 }
 
-nlohmann::ordered_json request_of(const Arguments& args, const char* verb) {
+nlohmann::ordered_json request_of(const CampaignArguments& args, const char* verb) {
   nlohmann::ordered_json request{{"verb", verb}, {"out", expand_home(args.out)}};
   if (!args.campaign.empty()) request["campaign"] = expand_home(args.campaign);
   return request;
 }
 
 void add_plan(CLI::App& parent) {
-  const auto args = std::make_shared<Arguments>();
+  const auto args = std::make_shared<CampaignArguments>();
   auto* command = parent.add_subcommand("plan", "Print what would run, and why. Runs nothing");
   add_document(*command, args);
   command->add_flag("--json", args->json, "Print JSON");
@@ -99,7 +99,7 @@ void add_plan(CLI::App& parent) {
 }
 
 void add_run_of_all(CLI::App& parent) {
-  const auto args = std::make_shared<Arguments>();
+  const auto args = std::make_shared<CampaignArguments>();
   auto* command = parent.add_subcommand("run", "Run what is missing or changed, then put the tables together");
   add_document(*command, args);
   auto* workers = command
@@ -148,7 +148,7 @@ void add_run_of_all(CLI::App& parent) {
 }
 
 void add_status(CLI::App& parent) {
-  const auto args = std::make_shared<Arguments>();
+  const auto args = std::make_shared<CampaignArguments>();
   auto* command = parent.add_subcommand("status", "Print the state of every input, the worst first");
   add_folder(*command, args);
   command->add_flag("--json", args->json, "Print JSON");
@@ -160,7 +160,7 @@ void add_status(CLI::App& parent) {
 }
 
 void add_merge(CLI::App& parent) {
-  const auto args = std::make_shared<Arguments>();
+  const auto args = std::make_shared<CampaignArguments>();
   auto* command =
       parent.add_subcommand("merge", "Write stems.csv, campaign.gpkg and campaign.html from what is done so far");
   add_folder(*command, args);

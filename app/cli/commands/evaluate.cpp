@@ -21,7 +21,7 @@
 namespace bole::cli {
 namespace {
 
-struct Arguments {
+struct EvaluateArguments {
   OptionSet options{option_table(static_cast<const evaluation::EvaluationOptions*>(nullptr))};
   OptionSet plot{option_table(static_cast<const survey::PlotOptions*>(nullptr))};
   std::string estimate, reference;
@@ -50,9 +50,9 @@ void print_summary(const Table& summary, bool json) {
     fmt::print("published figures: {}\n", it->second);
 }
 
-std::shared_ptr<Arguments> add_comparison(CLI::App& parent, const std::string& name, const std::string& help,
-                                          std::function<void(const Arguments&)> compare) {
-  auto args = std::make_shared<Arguments>();
+std::shared_ptr<EvaluateArguments> add_comparison(CLI::App& parent, const std::string& name, const std::string& help,
+                                                  std::function<void(const EvaluateArguments&)> compare) {
+  auto args = std::make_shared<EvaluateArguments>();
   auto* command = parent.add_subcommand(name, help);
   command->add_option("estimate", args->estimate, "What was measured")->required();
   command->add_option("reference", args->reference, "What it is held against")->required();
@@ -74,7 +74,7 @@ std::shared_ptr<Arguments> add_comparison(CLI::App& parent, const std::string& n
   return args;
 }
 
-void compare_trajectories(const Arguments& args) {
+void compare_trajectories(const EvaluateArguments& args) {
   auto estimate = io::read_trajectory(args.estimate);
   const auto reference = io::read_trajectory(args.reference);
   const auto options = args.options.as<evaluation::EvaluationOptions>();
@@ -93,7 +93,7 @@ void compare_trajectories(const Arguments& args) {
 void add_evaluate(Program& program) {
   auto* command = program.app.add_subcommand("evaluate", "Compare a table or trajectory with a reference");
   command->require_subcommand(1);
-  add_comparison(*command, "stems", "Stem tables (CSV: tree_id, x_m, y_m, dbh_cm)", [](const Arguments& args) {
+  add_comparison(*command, "stems", "Stem tables (CSV: tree_id, x_m, y_m, dbh_cm)", [](const EvaluateArguments& args) {
     const auto result = evaluation::evaluate_stems(
         io::read_table(args.estimate), io::read_table(args.reference), args.options.as<evaluation::EvaluationOptions>(),
         survey::counting_rule_for(args.plot.as<survey::PlotOptions>(), Axes::unknown, nullptr));
@@ -106,9 +106,9 @@ void add_evaluate(Program& program) {
     print_summary(result.summary, args.json);
   });
   add_comparison(*command, "trajectory", "Trajectories (TUM: time x y z qx qy qz qw; or KITTI)",
-                 [](const Arguments& args) { compare_trajectories(args); });
+                 [](const EvaluateArguments& args) { compare_trajectories(args); });
   add_comparison(*command, "rows", "Rows (CSV: row_id, x0_m, y0_m, x1_m, y1_m) or plants in rows (row_id, x_m, y_m)",
-                 [](const Arguments& args) {
+                 [](const EvaluateArguments& args) {
                    print_summary(
                        evaluation::evaluate_rows(io::read_table(args.estimate), io::read_table(args.reference),
                                                  args.options.as<evaluation::EvaluationOptions>())
@@ -117,18 +117,19 @@ void add_evaluate(Program& program) {
                  });
   add_comparison(
       *command, "plants", "Traits of plants (CSV: plant_id, height_mm, stem_diameter_mm, ...)",
-      [](const Arguments& args) {
+      [](const EvaluateArguments& args) {
         print_summary(
             evaluation::evaluate_plants(io::read_table(args.estimate), io::read_table(args.reference)).summary,
             args.json);
       });
-  add_comparison(
-      *command, "loops", "Revisits (CSV: from_time_s, to_time_s) against a trajectory", [](const Arguments& args) {
-        print_summary(evaluation::evaluate_loops(io::read_table(args.estimate), io::read_trajectory(args.reference),
-                                                 args.options.as<evaluation::EvaluationOptions>())
-                          .summary,
-                      args.json);
-      });
+  add_comparison(*command, "loops", "Revisits (CSV: from_time_s, to_time_s) against a trajectory",
+                 [](const EvaluateArguments& args) {
+                   print_summary(
+                       evaluation::evaluate_loops(io::read_table(args.estimate), io::read_trajectory(args.reference),
+                                                  args.options.as<evaluation::EvaluationOptions>())
+                           .summary,
+                       args.json);
+                 });
 }
 
 }  // namespace bole::cli

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -280,21 +281,38 @@ void print_text(const ordered_json& json, int depth = 0) {
   }
 }
 
+void print_formats(bool as_json) {
+  ordered_json all = ordered_json::array();
+  for (const auto& format : io::formats())
+    all.push_back({{"name", format.name},
+                   {"content", io::content_name(format.content())},
+                   {"stage", format.stage()},
+                   {"folder", format.folder},
+                   {"endings", format.endings},
+                   {"written", format.writable()}});
+  if (as_json) return fmt::print("{}\n", text_of(all, 2));
+  for (const auto& f : all)
+    fmt::print("{:<24} {:<16} {}{}\n", f["name"].get<std::string>(), f["content"].get<std::string>(),
+               f["folder"].get<bool>() ? "folder of " : "",
+               fmt::join(f["endings"].get<std::vector<std::string>>(), ", "));
+}
+
 }  // namespace
 
 void add_info(Program& program) {
   struct Arguments {
     std::vector<std::string> files;
-    bool json = false;
+    bool json = false, formats = false;
   };
   auto args = std::make_shared<Arguments>();
   auto* command = program.app.add_subcommand("info", "Describe scans, point clouds and folders of views");
-  command
-      ->add_option("files", args->files,
-                   "Scans, point clouds and folders of views: " + io::format_list(io::described_contents))
-      ->required();
+  auto* files = command->add_option(
+      "files", args->files, "Scans, point clouds and folders of views: " + io::format_list(io::described_contents));
+  command->add_flag("--formats", args->formats, "List the formats of files instead")->excludes(files);
   command->add_flag("--json", args->json, "Print JSON");
   command->callback([args, &program] {
+    if (args->formats) return print_formats(args->json);
+    if (args->files.empty()) throw CLI::RequiredError("files");
     ordered_json all = ordered_json::array();
     for (const auto& file : args->files) {
       try {

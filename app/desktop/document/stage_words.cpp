@@ -4,6 +4,10 @@
 #include <QObject>
 #include <QRegularExpression>
 #include <QStringList>
+#include <algorithm>
+#include <optional>
+
+#include "io/core/formats.h"
 
 namespace bole::desktop {
 namespace {
@@ -38,6 +42,24 @@ QString choice_list(const OptionSpec& spec) {
   return words.join(", ");
 }
 
+// The formats of the content whose list ends the help of a reader's option.
+std::optional<io::FileContent> content_listed(const OptionSpec& spec) {
+  for (const auto content : io::all_contents)
+    if (spec.text_kind == TextKind::input_path && spec.help.ends_with(": " + io::format_list(content) + "."))
+      return content;
+  return {};
+}
+
+// io::format_list() in the language of the window. A name or note without a translation stays as it is.
+QString format_words(io::FileContent content) {
+  const auto words = [](const std::string& text) { return QCoreApplication::translate("formats", text.c_str()); };
+  QStringList list;
+  for (const auto& [name, bracket] : io::listed_formats(content))
+    list << (bracket.empty() ? words(name) : QObject::tr("%1 (%2)").arg(words(name), words(bracket)));
+  const QString last = list.takeLast();
+  return list.isEmpty() ? last : QObject::tr("%1 or %2").arg(list.join(QObject::tr(", ", "formats")), last);
+}
+
 }  // namespace
 
 QString stage_title(const pipeline::StageType& type) {
@@ -48,13 +70,33 @@ QString stage_help(const pipeline::StageType& type) {
   return QCoreApplication::translate("stage help", type.help.c_str());
 }
 
+QString stage_title(const pipeline::PipelineDocument& document, const pipeline::StageNode& node) {
+  const bool twin = std::ranges::count(document.stages(), node.type, &pipeline::StageNode::type) > 1;
+  const QString title = stage_title(*node.type);
+  return twin ? QString("%1 (%2)").arg(title, QString::fromStdString(node.id)) : title;
+}
+
+QString stage_description(const pipeline::StageNode& node) {
+  return QString::fromStdString(node.id + " (" + node.type->name + ")\n") + stage_help(*node.type);
+}
+
 // An option means something else in another stage ("seed"), a word in another option ("none"): such translations have
 // the stage or the option as their comment.
 QString option_label(const pipeline::StageType& type, const OptionSpec& spec) {
   return QCoreApplication::translate("option labels", english_label(spec).toUtf8().constData(), type.name.c_str());
 }
 
-QString option_help(const OptionSpec& spec) { return QCoreApplication::translate("option help", spec.help.c_str()); }
+std::string help_sentence(const OptionSpec& spec) {
+  const auto content = content_listed(spec);
+  if (!content) return spec.help;
+  return spec.help.substr(0, spec.help.size() - io::format_list(*content).size() - 1) + "%1.";
+}
+
+QString option_help(const OptionSpec& spec) {
+  const QString help = QCoreApplication::translate("option help", help_sentence(spec).c_str());
+  const auto content = content_listed(spec);
+  return content ? help.arg(format_words(*content)) : help;
+}
 
 QString choice_word(const OptionSpec& spec, const std::string& choice) {
   return QCoreApplication::translate("choices", choice.c_str(), spec.name.c_str());

@@ -82,4 +82,31 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>bole::desktop::StageGraph</name>
+        <message numerus="yes">
+            <source>%n array(s)</source>
+            <translation>
+                <numerusform>%n array</numerusform>
+                <numerusform>%n arrays</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>adds %n array(s)</source>
+            <translation>
+                <numerusform>adds %n array</numerusform>
+                <numerusform>adds %n arrays</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::StageStates</name>
+        <message numerus="yes">
+            <source>%n warning(s)</source>
+            <translation>
+                <numerusform>%n warning</numerusform>
+                <numerusform>%n warnings</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

@@ -4,6 +4,19 @@
     <context>
         <name>QObject</name>
         <message>
+            <source>%1 (%2)</source>
+            <translation>%1(%2)</translation>
+        </message>
+        <message>
+            <source>%1 or %2</source>
+            <translation>%1 或 %2</translation>
+        </message>
+        <message>
+            <source>, </source>
+            <comment>formats</comment>
+            <translation>、</translation>
+        </message>
+        <message>
             <source>%1: %2</source>
             <translation>%1:%2</translation>
         </message>
@@ -1004,18 +1017,6 @@
     <context>
         <name>bole::desktop::PipelinePanel</name>
         <message>
-            <source>running</source>
-            <translation>运行中</translation>
-        </message>
-        <message>
-            <source>done</source>
-            <translation>完成</translation>
-        </message>
-        <message>
-            <source>failed</source>
-            <translation>失败</translation>
-        </message>
-        <message>
             <source>Stage</source>
             <translation>步骤</translation>
         </message>
@@ -1038,18 +1039,6 @@
         <message>
             <source>What slice and profile show</source>
             <translation>横切面和纵剖面显示的内容</translation>
-        </message>
-        <message>
-            <source>cannot run</source>
-            <translation>无法运行</translation>
-        </message>
-        <message>
-            <source>skipped</source>
-            <translation>已跳过</translation>
-        </message>
-        <message>
-            <source>This stage runs when its file is given.</source>
-            <translation>指定文件后此步骤才会运行。</translation>
         </message>
         <message>
             <source>add %1</source>
@@ -1090,10 +1079,6 @@
         <message>
             <source>Add stage behind</source>
             <translation>在其后添加步骤</translation>
-        </message>
-        <message>
-            <source>warnings</source>
-            <translation>有警告</translation>
         </message>
         <message>
             <source>Select a stage first.</source>
@@ -1879,6 +1864,30 @@
     <context>
         <name>bole::desktop::Workbench</name>
         <message>
+            <source>Pipeline graph</source>
+            <translation>流程图</translation>
+        </message>
+        <message>
+            <source>Pipeline as a graph</source>
+            <translation>以流程图显示处理流程</translation>
+        </message>
+        <message>
+            <source>Whole graph</source>
+            <translation>显示整个流程图</translation>
+        </message>
+        <message>
+            <source>Save the graph</source>
+            <translation>保存流程图</translation>
+        </message>
+        <message>
+            <source>Save the graph as a picture…</source>
+            <translation>将流程图存为图片…</translation>
+        </message>
+        <message>
+            <source>Pictures (*.svg *.png)</source>
+            <translation>图片 (*.svg *.png)</translation>
+        </message>
+        <message>
             <source>Decision</source>
             <translation>决定</translation>
         </message>
@@ -2419,6 +2428,113 @@
         <message>
             <source>Whole picture</source>
             <translation>整幅图像</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::StageStates</name>
+        <message>
+            <source>running</source>
+            <translation>运行中</translation>
+        </message>
+        <message>
+            <source>done</source>
+            <translation>完成</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n warning(s)</source>
+            <translation>
+                <numerusform>%n 条警告</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>failed</source>
+            <translation>失败</translation>
+        </message>
+        <message>
+            <source>out of date</source>
+            <translation>已过期</translation>
+        </message>
+        <message>
+            <source>cannot run</source>
+            <translation>无法运行</translation>
+        </message>
+        <message>
+            <source>skipped</source>
+            <translation>已跳过</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 秒</translation>
+        </message>
+        <message>
+            <source>Took %1.</source>
+            <translation>用时 %1。</translation>
+        </message>
+        <message>
+            <source>This stage runs when its file is given.</source>
+            <translation>指定文件后此步骤才会运行。</translation>
+        </message>
+        <message>
+            <source>Something that this stage depends on was changed since it ran. Run the pipeline.</source>
+            <translation>此步骤运行之后,它所依赖的内容已更改。请重新运行处理流程。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::StageGraph</name>
+        <message>
+            <source>point cloud</source>
+            <translation>点云</translation>
+        </message>
+        <message>
+            <source>table</source>
+            <translation>表格</translation>
+        </message>
+        <message>
+            <source>raster</source>
+            <translation>栅格</translation>
+        </message>
+        <message>
+            <source>trajectory</source>
+            <translation>轨迹</translation>
+        </message>
+        <message>
+            <source>frames</source>
+            <translation>帧</translation>
+        </message>
+        <message>
+            <source>views</source>
+            <translation>视图</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n array(s)</source>
+            <translation>
+                <numerusform>%n 个数组</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>adds %n array(s)</source>
+            <translation>
+                <numerusform>新增 %n 个数组</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::GraphView</name>
+        <message>
+            <source>Pipeline graph</source>
+            <translation>流程图</translation>
+        </message>
+        <message>
+            <source>needs %1</source>
+            <translation>缺少 %1</translation>
+        </message>
+        <message>
+            <source>not run</source>
+            <translation>未运行</translation>
+        </message>
+        <message>
+            <source>The required input %1 is not connected.</source>
+            <translation>必需的输入 %1 未连接。</translation>
         </message>
     </context>
     <context>

@@ -2178,8 +2178,8 @@
             <translation>干形的标准差,为材积由直径和树高计算的全部单木所共有。值越大,材积区间越宽。</translation>
         </message>
         <message>
-            <source>Point cloud to read: COPC (.copc.laz), LAZ, LAS, E57, PLY, PCD, PTX, KITTI frame (.bin), CSV, PTS or XYZ (.xyz, .txt, .asc).</source>
-            <translation>要读取的点云:COPC (.copc.laz)、LAZ、LAS、E57、PLY、PCD、PTX、KITTI frame (.bin)、CSV、PTS 或 XYZ (.xyz, .txt, .asc)。</translation>
+            <source>Point cloud to read: %1.</source>
+            <translation>要读取的点云:%1。</translation>
         </message>
         <message>
             <source>Unit of the coordinates in the file. auto: metre, unless the coordinate system of the file or the stems in it show another one for certain.</source>
@@ -2214,8 +2214,8 @@
             <translation>文本文件开头要跳过的行数。</translation>
         </message>
         <message>
-            <source>Scan to read: LVX (Livox, .lvx and .lvx2), Ouster capture (with the JSON file of the sensor), Hesai capture (PandarXT-32, Pandar40P), Velodyne capture (.pcap, .pcapng, .cap), ROS 1 bag (.bag), MCAP, ROS 2 bag (.db3), folder of a ROS 2 bag (.db3, .mcap) or folder of frames (.bin, .pcd).</source>
-            <translation>要读取的扫描数据:LVX(Livox,.lvx 与 .lvx2)、Ouster capture(附带传感器的 JSON 文件)、Hesai capture(PandarXT-32、Pandar40P)、Velodyne capture (.pcap, .pcapng, .cap)、ROS 1 bag (.bag)、MCAP、ROS 2 bag (.db3)、ROS 2 bag 文件夹 (.db3, .mcap) 或帧文件夹 (.bin, .pcd)。</translation>
+            <source>Scan to read: %1.</source>
+            <translation>要读取的扫描数据:%1。</translation>
         </message>
         <message>
             <source>Sensor model: auto (from the packets), a name such as vlp16, vls128, os1_128, pandar_xt32 or mid360, or a file of your own unit: Ouster JSON, Hesai correction CSV, Velodyne calibration (db.xml), or beams as JSON.</source>
@@ -2258,12 +2258,12 @@
             <translation>帧文件夹的线数:传感器、文件和点的顺序都不能给出时采用此值。</translation>
         </message>
         <message>
-            <source>Table to read: CSV (with a header line).</source>
-            <translation>要读取的表格:CSV(带表头行)。</translation>
+            <source>Table to read: %1.</source>
+            <translation>要读取的表格:%1。</translation>
         </message>
         <message>
-            <source>Track to read: NMEA (log of a receiver), CSV (with a header line) or columns (of numbers, without names).</source>
-            <translation>要读取的航迹:NMEA(接收机日志)、CSV(带表头行)或数字列(没有列名)。</translation>
+            <source>Track to read: %1.</source>
+            <translation>要读取的航迹:%1。</translation>
         </message>
         <message>
             <source>Format of the file. nmea: log of a receiver; csv: columns named in a header line; columns: numbers without names; auto: by the content.</source>
@@ -2282,8 +2282,8 @@
             <translation>超过此值的时间步长计为间断。</translation>
         </message>
         <message>
-            <source>Trajectory to read: SBET (binary, longitude and latitude), named (columns with a header line: GeoSLAM, HDMapping, CSV), TUM (time tx ty tz qx qy qz qw) or KITTI (12 numbers per pose).</source>
-            <translation>要读取的轨迹:SBET(二进制,经纬度)、named(带表头行的列:GeoSLAM、HDMapping、CSV)、TUM (time tx ty tz qx qy qz qw) 或 KITTI(每个位姿 12 个数字)。</translation>
+            <source>Trajectory to read: %1.</source>
+            <translation>要读取的轨迹:%1。</translation>
         </message>
         <message>
             <source>Format of the file. auto decides by the header, else by the values in a line.</source>
@@ -3262,8 +3262,8 @@
             <translation>距传感器最近的百分之一的点所允许的最大距离。超过则说明路径与点云的坐标系不同,会被拒绝。</translation>
         </message>
         <message>
-            <source>Folder of views to read, or the file that describes them: Bole (color/, depth/, camera.json), TUM (rgb.txt, depth.txt, groundtruth.txt), ICL or Open3D (color/, depth/, trajectory.log or pose.txt), 7-Scenes (frame-000000.color.png, .depth.png, .pose.txt), ScanNet (color/, depth/, pose/, intrinsic/), RealSense (NAME_Color_TIME.png, NAME_Depth_TIME.png), NeRF (transforms.json), COLMAP (cameras and images, .bin or .txt), ROMI (images/, metadata/images/) or Images (pictures and camera.json).</source>
-            <translation>要读取的视图文件夹,或描述它的文件:Bole(color/、depth/、camera.json)、TUM(rgb.txt、depth.txt、groundtruth.txt)、ICL 或 Open3D(color/、depth/、trajectory.log 或 pose.txt)、7-Scenes(frame-000000.color.png、.depth.png、.pose.txt)、ScanNet(color/、depth/、pose/、intrinsic/)、RealSense(NAME_Color_TIME.png、NAME_Depth_TIME.png)、NeRF(transforms.json)、COLMAP(cameras 和 images,.bin 或 .txt)、ROMI(images/、metadata/images/)或仅有图片(图片和 camera.json)。</translation>
+            <source>Folder of views to read, or the file that describes them: %1.</source>
+            <translation>要读取的视图文件夹,或描述它的文件:%1。</translation>
         </message>
         <message>
             <source>Layout of the folder. auto decides by the names of its files.</source>
@@ -4180,6 +4180,101 @@
         <message>
             <source>Make a video of the frames where the program ffmpeg is installed: flythrough.mp4.</source>
             <translation>装有 ffmpeg 程序时由各帧生成视频:flythrough.mp4。</translation>
+        </message>
+</context>
+    <context>
+        <name>formats</name>
+        <message>
+            <source>folder of a ROS 2 bag</source>
+            <translation>ROS 2 bag 文件夹</translation>
+        </message>
+        <message>
+            <source>folder of frames</source>
+            <translation>帧文件夹</translation>
+        </message>
+        <message>
+            <source>columns</source>
+            <translation>数字列</translation>
+        </message>
+        <message>
+            <source>Images</source>
+            <translation>仅有图片</translation>
+        </message>
+        <message>
+            <source>ICL or Open3D</source>
+            <translation>ICL 或 Open3D</translation>
+        </message>
+        <message>
+            <source>Livox, .lvx and .lvx2</source>
+            <translation>Livox,.lvx 与 .lvx2</translation>
+        </message>
+        <message>
+            <source>with the JSON file of the sensor</source>
+            <translation>附带传感器的 JSON 文件</translation>
+        </message>
+        <message>
+            <source>PandarXT-32, Pandar40P</source>
+            <translation>PandarXT-32、Pandar40P</translation>
+        </message>
+        <message>
+            <source>with a header line</source>
+            <translation>带表头行</translation>
+        </message>
+        <message>
+            <source>log of a receiver</source>
+            <translation>接收机日志</translation>
+        </message>
+        <message>
+            <source>of numbers, without names</source>
+            <translation>没有列名</translation>
+        </message>
+        <message>
+            <source>binary, longitude and latitude</source>
+            <translation>二进制,经纬度</translation>
+        </message>
+        <message>
+            <source>columns with a header line: GeoSLAM, HDMapping, CSV</source>
+            <translation>带表头行的列:GeoSLAM、HDMapping、CSV</translation>
+        </message>
+        <message>
+            <source>12 numbers per pose</source>
+            <translation>每个位姿 12 个数字</translation>
+        </message>
+        <message>
+            <source>color/, depth/, camera.json</source>
+            <translation>color/、depth/、camera.json</translation>
+        </message>
+        <message>
+            <source>rgb.txt, depth.txt, groundtruth.txt</source>
+            <translation>rgb.txt、depth.txt、groundtruth.txt</translation>
+        </message>
+        <message>
+            <source>color/, depth/, trajectory.log or pose.txt</source>
+            <translation>color/、depth/、trajectory.log 或 pose.txt</translation>
+        </message>
+        <message>
+            <source>frame-000000.color.png, .depth.png, .pose.txt</source>
+            <translation>frame-000000.color.png、.depth.png、.pose.txt</translation>
+        </message>
+        <message>
+            <source>color/, depth/, pose/, intrinsic/</source>
+            <translation>color/、depth/、pose/、intrinsic/</translation>
+        </message>
+        <message>
+            <source>NAME_Color_TIME.png, NAME_Depth_TIME.png</source>
+            <translation>NAME_Color_TIME.png、NAME_Depth_TIME.png</translation>
+        </message>
+        <message>
+            <source>cameras and images, .bin or .txt</source>
+            <translation>cameras 和 images,.bin 或 .txt</translation>
+        </message>
+        <message>
+            <source>images/, metadata/images/</source>
+            <translation>images/、metadata/images/</translation>
+        </message>
+        <message>
+            <source>pictures and camera.json</source>
+            <translation>图片和 camera.json</translation>
         </message>
 </context>
     <context>

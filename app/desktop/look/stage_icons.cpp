@@ -30,33 +30,48 @@ void draw_line(QPainter& painter, const QColor& color, const QVector<QPointF>& p
   painter.drawPolyline(QPolygonF(points));
 }
 
+void draw_state(QPainter& painter, StageMark state, const QPalette& palette) {
+  const QColor quiet = palette.color(QPalette::Disabled, QPalette::Text);
+  switch (state) {
+    case StageMark::idle:
+      painter.setPen(QPen(quiet, 6));
+      painter.drawEllipse(QRectF(18, 18, 28, 28));
+      break;
+    case StageMark::running:
+      painter.setPen(QPen(palette.color(QPalette::Highlight), 9, Qt::SolidLine, Qt::RoundCap));
+      painter.drawArc(QRectF(13, 13, 38, 38), 90 * 16, -270 * 16);
+      break;
+    case StageMark::done:
+      draw_line(painter, QColor(0x2e, 0x9e, 0x4f), {{14, 34}, {27, 47}, {50, 18}});
+      break;
+    case StageMark::warning:
+      draw_line(painter, QColor(0xe0, 0x8a, 0x00), {{32, 12}, {32, 38}});
+      draw_line(painter, QColor(0xe0, 0x8a, 0x00), {{32, 52}, {32.1, 52}});
+      break;
+    case StageMark::failed:
+      draw_line(painter, QColor(0xd0, 0x34, 0x2c), {{17, 17}, {47, 47}});
+      draw_line(painter, QColor(0xd0, 0x34, 0x2c), {{47, 17}, {17, 47}});
+      break;
+    case StageMark::outdated:  // an hourglass
+      painter.setPen(QPen(quiet, 6, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+      painter.drawPolygon(QPolygonF(QVector<QPointF>{{17, 12}, {47, 12}, {17, 52}, {47, 52}}));
+      break;
+  }
+}
+
 }  // namespace
 
 QIcon state_icon(StageMark state, const QPalette& palette) {
-  const QColor quiet = palette.color(QPalette::Disabled, QPalette::Text);
-  return drawn(palette, [&](QPainter& painter) {
-    switch (state) {
-      case StageMark::idle:
-        painter.setPen(QPen(quiet, 6));
-        painter.drawEllipse(QRectF(18, 18, 28, 28));
-        break;
-      case StageMark::running:
-        painter.setPen(QPen(palette.color(QPalette::Highlight), 9, Qt::SolidLine, Qt::RoundCap));
-        painter.drawArc(QRectF(13, 13, 38, 38), 90 * 16, -270 * 16);
-        break;
-      case StageMark::done:
-        draw_line(painter, QColor(0x2e, 0x9e, 0x4f), {{14, 34}, {27, 47}, {50, 18}});
-        break;
-      case StageMark::warning:
-        draw_line(painter, QColor(0xe0, 0x8a, 0x00), {{32, 12}, {32, 38}});
-        draw_line(painter, QColor(0xe0, 0x8a, 0x00), {{32, 52}, {32.1, 52}});
-        break;
-      case StageMark::failed:
-        draw_line(painter, QColor(0xd0, 0x34, 0x2c), {{17, 17}, {47, 47}});
-        draw_line(painter, QColor(0xd0, 0x34, 0x2c), {{47, 17}, {17, 47}});
-        break;
-    }
-  });
+  return drawn(palette, [&](QPainter& painter) { draw_state(painter, state, palette); });
+}
+
+void paint_state(QPainter& painter, const QRectF& where, StageMark state, const QPalette& palette) {
+  painter.save();
+  painter.translate(where.topLeft());
+  painter.scale(where.width() / size, where.height() / size);
+  painter.setBrush(Qt::NoBrush);
+  draw_state(painter, state, palette);
+  painter.restore();
 }
 
 QIcon eye_icon(bool open, const QPalette& palette) {

@@ -5,39 +5,24 @@
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QMenu>
-#include <algorithm>
 #include <functional>
 
 #include "commands/commands.h"
 #include "document/stage_operations.h"
 #include "document/stage_words.h"
-#include "pipeline/skipped_stages.h"
+#include "look/stage_icons.h"
+#include "running/stage_states.h"
 
 namespace bole::desktop {
 namespace {
-
-QString state_text(StageMark state) {
-  switch (state) {
-    case StageMark::idle:
-      return {};
-    case StageMark::running:
-      return PipelinePanel::tr("running");
-    case StageMark::done:
-      return PipelinePanel::tr("done");
-    case StageMark::warning:
-      return PipelinePanel::tr("warnings");
-    case StageMark::failed:
-      return PipelinePanel::tr("failed");
-  }
-  return {};
-}
 
 QString id_of(const QTreeWidgetItem* item) { return item->data(0, Qt::UserRole).toString(); }
 
 }  // namespace
 
-PipelinePanel::PipelinePanel(Session& session, Visibility& visibility, Commands& commands, QWidget* parent)
-    : QTreeWidget(parent), session_(session), visibility_(visibility) {
+PipelinePanel::PipelinePanel(Session& session, Visibility& visibility, const StageStates& states, Commands& commands,
+                             QWidget* parent)
+    : QTreeWidget(parent), session_(session), visibility_(visibility), states_(states) {
   setColumnCount(4);
   setHeaderLabels({tr("Stage"), tr("3-D"), tr("Cut"), tr("State")});
   headerItem()->setToolTip(scene_column, tr("What the 3-D view shows: a click on an eye hides the outputs of a stage"));
@@ -49,7 +34,11 @@ PipelinePanel::PipelinePanel(Session& session, Visibility& visibility, Commands&
   header()->setStretchLastSection(false);
   make_commands(commands);
   connect(&session_, &Session::document_replaced, this, &PipelinePanel::fill);
-  connect(&session_, &Session::option_changed, this, &PipelinePanel::show_problems);
+  connect(&states_, &StageStates::changed, this, &PipelinePanel::show_states);
+  connect(&states_, &StageStates::stage_changed, this, [this](const QString& id) {
+    for (int i = 0; i < topLevelItemCount(); ++i)
+      if (id_of(topLevelItem(i)) == id) show_state(topLevelItem(i));
+  });
   connect(&visibility_, &Visibility::changed, this, [this] {
     for (int i = 0; i < topLevelItemCount(); ++i) show_eyes(topLevelItem(i));
   });
@@ -62,39 +51,27 @@ PipelinePanel::PipelinePanel(Session& session, Visibility& visibility, Commands&
 void PipelinePanel::fill() {
   const QString before = current_stage();
   clear();
-  const auto& stages = session_.document().stages();
-  for (const auto& node : stages) {
+  for (const auto& node : session_.document().stages()) {
     auto* item = new QTreeWidgetItem(this);
-    const bool twin = std::ranges::count(stages, node.type, &pipeline::StageNode::type) > 1;
-    const auto title = stage_title(*node.type), id = QString::fromStdString(node.id);
-    item->setText(stage_column, twin ? QString("%1 (%2)").arg(title, id) : title);
-    item->setData(0, Qt::UserRole, id);
-    item->setToolTip(stage_column,
-                     id + " (" + QString::fromStdString(node.type->name) + ")\n" + stage_help(*node.type));
+    item->setText(stage_column, stage_title(session_.document(), node));
+    item->setData(0, Qt::UserRole, QString::fromStdString(node.id));
+    item->setToolTip(stage_column, stage_description(node));
     show_eyes(item);
   }
-  show_problems();
+  show_states();
   select_stage(before);
   if (!currentItem() && topLevelItemCount() > 0) setCurrentItem(topLevelItem(0));
 }
 
-void PipelinePanel::show_problems() {
-  problems_.clear();
-  for (const auto& problem : pipeline::validate(session_.document()))
-    problems_[QString::fromStdString(problem.stage)] = QString::fromStdString(problem.message);
+void PipelinePanel::show_states() {
   for (int i = 0; i < topLevelItemCount(); ++i) show_state(topLevelItem(i));
 }
 
 void PipelinePanel::show_state(QTreeWidgetItem* item) {
-  const QString id = id_of(item), problem = problems_.value(id);
-  const State state = states_.value(id);
-  const bool skipped = pipeline::is_skipped(session_.document(), session_.document().at(id.toStdString()));
-  const bool cannot = !problem.isEmpty() && state.state != StageMark::running;
-  item->setIcon(state_column, state_icon(cannot ? StageMark::warning : state.state, palette()));
-  item->setText(state_column, cannot ? tr("cannot run") : skipped ? tr("skipped") : state_text(state.state));
-  item->setToolTip(state_column, cannot    ? problem
-                                 : skipped ? tr("This stage runs when its file is given.")
-                                           : state.message);
+  const auto state = states_.of(id_of(item).toStdString());
+  item->setIcon(state_column, state_icon(mark_of(state.kind), palette()));
+  item->setText(state_column, state_words(state));
+  item->setToolTip(state_column, state_details(state));
 }
 
 void PipelinePanel::show_eyes(QTreeWidgetItem* item) {
@@ -108,17 +85,6 @@ void PipelinePanel::click(QTreeWidgetItem* item, int column) {
   const auto view = column == scene_column ? ViewKind::scene : ViewKind::cuts;
   const auto id = id_of(item).toStdString();
   visibility_.show(id, view, !visibility_.shown(id, view));
-}
-
-void PipelinePanel::set_state(const QString& stage, StageMark state, const QString& message) {
-  states_[stage] = {state, message};
-  for (int i = 0; i < topLevelItemCount(); ++i)
-    if (id_of(topLevelItem(i)) == stage) show_state(topLevelItem(i));
-}
-
-void PipelinePanel::forget_states() {
-  states_.clear();
-  for (int i = 0; i < topLevelItemCount(); ++i) show_state(topLevelItem(i));
 }
 
 QString PipelinePanel::current_stage() const { return currentItem() ? id_of(currentItem()) : QString(); }

@@ -6,13 +6,13 @@
 
 #include "document/session.h"
 #include "document/visibility.h"
-#include "look/stage_icons.h"
 
 class QMenu;
 
 namespace bole::desktop {
 
 class Commands;
+class StageStates;
 
 class PipelinePanel : public QTreeWidget {
   Q_OBJECT
@@ -20,10 +20,9 @@ class PipelinePanel : public QTreeWidget {
  public:
   enum Column { stage_column, scene_column, cuts_column, state_column };
 
-  PipelinePanel(Session& session, Visibility& visibility, Commands& commands, QWidget* parent);
+  PipelinePanel(Session& session, Visibility& visibility, const StageStates& states, Commands& commands,
+                QWidget* parent);
 
-  void set_state(const QString& stage, StageMark state, const QString& message = {});
-  void forget_states();  // of runs of another document
   QString current_stage() const;
   void select_stage(const QString& id);
 
@@ -41,12 +40,8 @@ class PipelinePanel : public QTreeWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  struct State {
-    StageMark state = StageMark::idle;
-    QString message;
-  };
   void fill();
-  void show_problems();  // what keeps stages from running, as the tooltip and the mark of the stage
+  void show_states();
   void show_state(QTreeWidgetItem* item);
   void show_eyes(QTreeWidgetItem* item);
   void click(QTreeWidgetItem* item, int column);
@@ -56,8 +51,7 @@ class PipelinePanel : public QTreeWidget {
 
   Session& session_;
   Visibility& visibility_;
-  QMap<QString, State> states_;
-  QMap<QString, QString> problems_;
+  const StageStates& states_;
 };
 
 }  // namespace bole::desktop

@@ -9,6 +9,7 @@
 #include "panels/pipeline_panel.h"
 #include "panels/properties_panel.h"
 #include "panels/table_panel.h"
+#include "running/stage_states.h"
 #include "views/chart_view.h"
 #include "views/profile_view.h"
 #include "views/scene_view.h"
@@ -19,18 +20,6 @@ namespace {
 
 constexpr int message_ms = 10000, cancelled_code = 3;
 
-StageMark mark_of(const vtkbridge::StageOutcome& stage) {
-  switch (stage.state) {
-    case vtkbridge::StageState::done:
-    case vtkbridge::StageState::from_cache:
-      return stage.record.report.warnings.empty() ? StageMark::done : StageMark::warning;
-    case vtkbridge::StageState::failed:
-      return StageMark::failed;
-    default:
-      return StageMark::idle;
-  }
-}
-
 }  // namespace
 
 Workbench::Workbench()
@@ -38,7 +27,8 @@ Workbench::Workbench()
       commands_(new Commands(
           *this, [this](const auto& act) { guarded(act); }, icon_named)),
       run_(new Runner(session_, this)),
-      pipeline_(new PipelinePanel(session_, visibility_, *commands_, this)),
+      states_(new StageStates(session_, *run_, this)),  // before the panels that show them
+      pipeline_(new PipelinePanel(session_, visibility_, *states_, *commands_, this)),
       properties_(new PropertiesPanel(session_, this)),
       scene_(new SceneView(selection_, this)),
       slice_(new SliceView(selection_, this)),
@@ -56,13 +46,6 @@ void Workbench::connect_document() {
   connect(properties_, &PropertiesPanel::refused, this, &Workbench::complain);
   connect(pipeline_, &PipelinePanel::refused, this, &Workbench::complain);
   connect(&visibility_, &Visibility::changed, this, [this] { guarded([&] { show_survey(run_->survey()); }); });
-  connect(run_, &Runner::progressed, this, [this, last = QString(), job = 0](const QString& stage) mutable {
-    const int now = run_->current() ? run_->current()->id : 0;
-    if (job == now && last != stage) pipeline_->set_state(last, StageMark::done);
-    job = now;
-    last = stage;
-    pipeline_->set_state(stage, StageMark::running);
-  });
   connect(run_, &Runner::survey_begun, this, [this] { guarded([&] { show_survey(run_->survey()); }); });
   connect(run_, &Runner::finished, this, &Workbench::show_outcome);
   connect(run_, &Runner::job_ended, this, [this] {
@@ -141,7 +124,7 @@ void Workbench::hint(const QString& text) { statusBar()->showMessage(text); }
 
 void Workbench::document_is_open() {
   refresh_again_ = false;
-  pipeline_->forget_states();
+  states_->forget();
   run_->forget_survey();
   selection_.select({});
   selection_.select_view({});
@@ -226,7 +209,6 @@ void Workbench::show_outcome(const vtkbridge::RunOutcome& outcome) {
   for (const auto& stage : outcome.stages) {
     const bool failed = !stage.error.empty();
     const auto& message = failed ? stage.error : stage.record.report.message;
-    pipeline_->set_state(QString::fromStdString(stage.record.id), mark_of(stage), QString::fromStdString(message));
     if (!failed || outcome.exit_code != cancelled_code)  // by the person, who knows
       tell(QString::fromStdString(stage.record.id + ": " + message), failed ? LogLevel::error : LogLevel::info);
     for (const auto& warning : stage.record.report.warnings)

@@ -21,6 +21,7 @@ class ProfileView;
 class PropertiesPanel;
 class SceneView;
 class SliceView;
+class StageStates;
 class TablePanel;
 
 class Workbench : public QMainWindow {
@@ -48,6 +49,7 @@ class Workbench : public QMainWindow {
   Selection& selection() { return selection_; }
   Visibility& visibility() { return visibility_; }
   Runner& runner() { return *run_; }
+  StageStates& stage_states() { return *states_; }
   Commands& commands() { return *commands_; }
   Docks& docks() { return docks_; }
 
@@ -100,6 +102,7 @@ class Workbench : public QMainWindow {
   Docks docks_;
   Commands* commands_;
   Runner* run_;
+  StageStates* states_;
   PipelinePanel* pipeline_;
   PropertiesPanel* properties_;
   SceneView* scene_;

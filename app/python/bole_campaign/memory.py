@@ -5,25 +5,34 @@ import pathlib
 import re
 
 from . import keys
+from .program import cloud_endings
 
 GIB = 1 << 30
 # Peak of a run = BASE_GIB + factor * size of the input, generous: measured in docs/dev/campaigns.md. A limit that is hit
 # costs an attempt, one that is too high only a place for another input.
 BASE_GIB = 0.5
-FACTORS = {".laz": 25.0, ".las": 6.0, ".e57": 8.0, ".ply": 6.0, ".pcd": 6.0, ".ptx": 3.0, ".xyz": 3.0, ".csv": 3.0, ".txt": 3.0}
+FACTORS = {"COPC": 25.0, "LAZ": 25.0, "LAS": 6.0, "E57": 8.0, "PLY": 6.0, "PCD": 6.0, "PTX": 3.0, "PTS": 3.0, "XYZ": 3.0, "CSV": 3.0}
+FACTOR_OF_CLOUDS = 8.0  # of any other format of point clouds
 # Recordings and folders of frames are streamed: the map grows with them at first, then most of it lies on file.
 FACTOR_OF_RECORDINGS, FULL_GIB, FACTOR_BEYOND = 8.0, 0.3, 0.8
 RESERVE = 0.1
 
 
-def declared_gib(entry):
+def factor_of(path, program):
+    """Memory over size of a point cloud; None of anything else. The program knows the endings."""
+    name = pathlib.Path(path).name.lower()
+    found = next((f for ending, f in cloud_endings(program).items() if name.endswith(ending)), None)
+    return FACTORS.get(found, FACTOR_OF_CLOUDS) if found else None
+
+
+def declared_gib(entry, program):
     """What the document says, else an estimate from the sizes of the files."""
     if entry["memory_gib"] is not None:
         return entry["memory_gib"]
     needed = BASE_GIB
     for path in {path for paths in entry["files"].values() for path in paths}:
         size = keys.size_of(path) / GIB
-        factor = FACTORS.get(pathlib.Path(path).suffix.lower())
+        factor = factor_of(path, program)
         needed += factor * size if factor else FACTOR_OF_RECORDINGS * min(size, FULL_GIB) + FACTOR_BEYOND * max(0.0, size - FULL_GIB)
     return round(needed, 2)
 

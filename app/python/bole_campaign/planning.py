@@ -28,7 +28,7 @@ class Plan:
                   "accept_partial": campaign.accept_partial, "time_limit_s": campaign.time_limit_s, "threads": campaign.threads}
         tasks = [
             {**common, "id": e["id"], "folder": str(folders.task_folder(out, e["id"])), "set": e["set"], "files": e["files"],
-             "memory_gib": memory.declared_gib(e), "memory_given": e["memory_gib"] is not None, "x_m": e["x_m"], "y_m": e["y_m"]}
+             "memory_gib": memory.declared_gib(e, program), "memory_given": e["memory_gib"] is not None, "x_m": e["x_m"], "y_m": e["y_m"]}
             for e in campaign.inputs
         ]
         return Plan(out, campaign.title, campaign.tables, campaign.retries, tasks)

@@ -36,6 +36,13 @@ def stage_options(program):
 
 
 @functools.lru_cache
+def cloud_endings(program):
+    """{ending: name of the format} of the files that are read as one point cloud."""
+    formats = json.loads(ask(program, "info", "--formats", "--json"))
+    return {ending: f["name"] for f in formats if f["stage"] == "io.read_cloud" and not f["folder"] for ending in f["endings"]}
+
+
+@functools.lru_cache
 def version_of(program):
     return ask(program, "--version").split()[-1]
 

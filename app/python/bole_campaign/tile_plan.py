@@ -84,7 +84,7 @@ class TilePlan(planning.Plan):
         return {**self.info["settings"], scan: file, **core}, {**self.info["setting_files"], scan: [file]}
 
     def _gib(self, phase, tile):
-        given = sum(declared_gib({"memory_gib": None, "files": {name: paths}}) - BASE_GIB for name, paths in self.info["setting_files"].items())
+        given = sum(declared_gib({"memory_gib": None, "files": {name: paths}}, self.info["program"]) - BASE_GIB for name, paths in self.info["setting_files"].items())
         return BASE_GIB + given + BYTES_PER_POINT[phase] * tile["points"] / GIB
 
     def ground_task(self, tile):

@@ -10,7 +10,7 @@
 namespace bole::evaluation {
 namespace {
 
-constexpr std::array words{"name", "plot", "system", "against", "kind", "tree", "ref_tree"};
+constexpr std::array columns_of_words{"name", "plot", "system", "against", "kind", "tree", "ref_tree"};
 constexpr std::array values{"x_m",    "y_m",        "ref_x_m",      "ref_y_m",   "dx_m",     "dy_m",
                             "dbh_cm", "ref_dbh_cm", "dbh_error_cm", "dbh_lo_cm", "dbh_hi_cm"};
 
@@ -74,7 +74,7 @@ Table trees_table(const std::vector<ComparedTrees>& parts) {
   }
   Table out;
   out.set("run", std::move(run));
-  for (const char* column : words) out.set(column, std::move(texts[column]));
+  for (const char* column : columns_of_words) out.set(column, std::move(texts[column]));
   for (const char* column : values) out.set(column, std::move(numbers[column]));
   return out;
 }

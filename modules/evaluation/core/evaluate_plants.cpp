@@ -21,7 +21,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> published
                                                                                   {"breadth_width_mm", "94.11"},
                                                                                   {"stem_diameter_mm", "97.62"}}};
 
-std::vector<std::string> names_of(const Table& table, const char* which) {
+std::vector<std::string> plant_names(const Table& table, const char* which) {
   std::vector<std::string> names(table.rows());
   if (!table.has("plant_id")) {
     if (table.rows() == 1) return {""};
@@ -37,8 +37,8 @@ std::vector<std::string> names_of(const Table& table, const char* which) {
   return names;
 }
 
-std::vector<std::pair<std::size_t, std::size_t>> pairs_of(const Table& estimate, const Table& reference) {
-  const auto a = names_of(estimate, "estimated"), b = names_of(reference, "reference");
+std::vector<std::pair<std::size_t, std::size_t>> pairs_by_name(const Table& estimate, const Table& reference) {
+  const auto a = plant_names(estimate, "estimated"), b = plant_names(reference, "reference");
   if (a.size() == 1 && b.size() == 1) return {{0, 0}};
   std::vector<std::pair<std::size_t, std::size_t>> out;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -62,7 +62,7 @@ bool is_bound(const std::string& name) {
          name.ends_with("_hi");
 }
 
-std::string unit_of(const std::string& trait) {
+std::string unit_of_trait(const std::string& trait) {
   const auto cut = trait.rfind('_');
   auto unit = cut == std::string::npos ? std::string() : trait.substr(cut + 1);
   for (const auto* known : {"mm", "cm", "m", "cm2", "cm3", "mm2", "deg", "kg", "g"})
@@ -94,7 +94,7 @@ struct Columns {
 }  // namespace
 
 PlantEvaluation evaluate_plants(const Table& estimate, const Table& reference) {
-  const auto pairs = pairs_of(estimate, reference);
+  const auto pairs = pairs_by_name(estimate, reference);
   Columns out;
   std::size_t traits = 0;
   for (const auto& column : reference.columns()) {
@@ -137,7 +137,7 @@ PlantEvaluation evaluate_plants(const Table& estimate, const Table& reference) {
     if (s.n == 0) continue;
     ++traits;
     const auto* figure = std::ranges::find(published, name, &std::pair<std::string_view, std::string_view>::first);
-    const auto unit = unit_of(name);
+    const auto unit = unit_of_trait(name);
     out.add(name + "_plants", s.n, "");
     out.add(name + "_accuracy", 100 * (1 - s.relative / s.n), "%", figure != published.end() ? figure->second : "");
     out.add(name + "_bias", s.error / s.n, unit);

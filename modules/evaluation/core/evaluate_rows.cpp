@@ -146,7 +146,7 @@ struct Plants {
 };
 
 // Plants of both lists that stand nearest to one another, one to one.
-std::vector<Pairing> pairs_of(const std::vector<Vector2d>& a, const std::vector<Vector2d>& b, double distance) {
+std::vector<Pairing> pairs_within(const std::vector<Vector2d>& a, const std::vector<Vector2d>& b, double distance) {
   // A grid keeps large fields quick.
   const double cell = std::max(distance, 1e-6);
   std::map<std::pair<long, long>, std::vector<std::size_t>> grid;
@@ -170,7 +170,7 @@ RowEvaluation by_plants(const Table& estimate, const Table& reference, const Eva
   const Plants found(estimate), truth(reference);
   std::map<std::string, std::map<std::string, int>> votes;  // found row, reference row, plants
   std::map<std::string, int> matched_in;
-  for (const auto& pair : pairs_of(found.at, truth.at, o.match_distance_m)) {
+  for (const auto& pair : pairs_within(found.at, truth.at, o.match_distance_m)) {
     const auto& row = found.row[pair.left];
     const auto& ref = truth.row[pair.right];
     if (!row.empty() && !ref.empty()) ++votes[row][ref], ++matched_in[row];
@@ -205,7 +205,7 @@ RowEvaluation by_plants(const Table& estimate, const Table& reference, const Eva
   summary.add("row_recall", share(static_cast<double>(right), static_cast<double>(truth.rows.size())), "%");
   summary.add("row_precision", share(static_cast<double>(right), static_cast<double>(found.rows.size())), "%");
   summary.add("plants_in_their_row", share(static_cast<double>(assigned), static_cast<double>(standing)), "%");
-  const auto gaps = pairs_of(found.missing, truth.missing, o.match_distance_m).size();
+  const auto gaps = pairs_within(found.missing, truth.missing, o.match_distance_m).size();
   summary.add("missing_found", share(static_cast<double>(gaps), static_cast<double>(truth.missing.size())), "%");
   summary.add("missing_listed_right", share(static_cast<double>(gaps), static_cast<double>(found.missing.size())), "%");
   table.measure(summary);

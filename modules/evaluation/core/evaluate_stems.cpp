@@ -55,8 +55,8 @@ std::vector<Pairing> match(const std::vector<Tree>& estimate, const std::vector<
 }
 
 // The least-squares motion of matched pairs: shift, with or without rotation.
-Eigen::Isometry2d best_motion(const std::vector<Pairing>& pairs, const std::vector<Tree>& estimate,
-                              const std::vector<Tree>& reference, bool turn) {
+Eigen::Isometry2d best_plan_motion(const std::vector<Pairing>& pairs, const std::vector<Tree>& estimate,
+                                   const std::vector<Tree>& reference, bool turn) {
   Eigen::Vector2d from = Eigen::Vector2d::Zero(), to = from;
   for (const auto& p : pairs) from += estimate[p.left].at, to += reference[p.right].at;
   from /= static_cast<double>(pairs.size());
@@ -98,18 +98,18 @@ Eigen::Isometry2d align(std::vector<Tree>& estimate, const std::vector<Tree>& re
   for (int i = 0; i < iterations; ++i) {
     const auto pairs = match(estimate, reference, o);
     if (pairs.size() < (turn ? 2U : 1U)) break;
-    move(best_motion(pairs, estimate, reference, turn));
+    move(best_plan_motion(pairs, estimate, reference, turn));
   }
   return all;
 }
 
-struct Row {
+struct MatchRow {
   std::string kind;
   const Tree* estimate;
   const Tree* reference;
 };
 
-Table match_table(const std::vector<Row>& rows) {
+Table match_table(const std::vector<MatchRow>& rows) {
   Table t;
   std::vector<std::string> kind;
   std::vector<std::int64_t> id, ref_id;  // 0 where there is none
@@ -149,7 +149,7 @@ Table match_table(const std::vector<Row>& rows) {
   return t;
 }
 
-void add_position_measures(const std::vector<Row>& matched, SummaryRows& out) {
+void add_position_measures(const std::vector<MatchRow>& matched, SummaryRows& out) {
   std::vector<Eigen::Vector2d> errors;
   for (const auto& r : matched) errors.emplace_back(r.estimate->at - r.reference->at);
   const auto m = position_measures(errors);
@@ -163,11 +163,11 @@ void add_position_measures(const std::vector<Row>& matched, SummaryRows& out) {
   out.add("position_rmse_y", m.rmse.y(), "m");
 }
 
-DiameterPair diameters_of(const Row& r) {
+DiameterPair diameters_of(const MatchRow& r) {
   return {r.estimate->dbh, r.reference->dbh, r.estimate->low, r.estimate->high};
 }
 
-void add_dbh_measures(const std::vector<Row>& matched, SummaryRows& out) {
+void add_dbh_measures(const std::vector<MatchRow>& matched, SummaryRows& out) {
   std::vector<DiameterPair> pairs;
   for (const auto& r : matched) pairs.push_back(diameters_of(r));
   const auto m = diameter_measures(pairs);
@@ -178,7 +178,7 @@ void add_dbh_measures(const std::vector<Row>& matched, SummaryRows& out) {
   if (m.with_interval > 0) out.add("dbh_interval_coverage", m.coverage_pct, "%");
 }
 
-void add_height_measures(const std::vector<Row>& matched, SummaryRows& out) {
+void add_height_measures(const std::vector<MatchRow>& matched, SummaryRows& out) {
   double n = 0, sum = 0, squares = 0;
   for (const auto& r : matched) {
     const double e = r.estimate->height - r.reference->height;
@@ -197,7 +197,7 @@ struct Part {
   std::vector<DiameterPair> dbh;
 };
 
-void add_parts(const std::vector<Row>& rows, const EvaluationOptions& o, const PlotArea& area, SummaryRows& out) {
+void add_parts(const std::vector<MatchRow>& rows, const EvaluationOptions& o, const PlotArea& area, SummaryRows& out) {
   std::map<int, Part> classes, rings;
   const double width_cm = o.class_width_cm;
   const auto ring_of = [&](const Tree& t) { return static_cast<int>((t.at - area.centre).norm() / o.distance_step_m); };
@@ -226,8 +226,8 @@ void add_parts(const std::vector<Row>& rows, const EvaluationOptions& o, const P
     tell(fmt::format("distance_{:g}_to_{:g}_m", k * o.distance_step_m, (k + 1) * o.distance_step_m), p);
 }
 
-std::vector<Row> sort_out(const std::vector<Tree>& estimate, const std::vector<Tree>& reference,
-                          const EvaluationOptions& o, const CountingRule& rule) {
+std::vector<MatchRow> sort_out(const std::vector<Tree>& estimate, const std::vector<Tree>& reference,
+                               const EvaluationOptions& o, const CountingRule& rule) {
   const auto counts = [&](const Tree& t) { return rule.counts(t.at, t.dbh); };
   std::vector<const Tree*> partner_of_estimate(estimate.size(), nullptr),
       partner_of_reference(reference.size(), nullptr);
@@ -235,13 +235,15 @@ std::vector<Row> sort_out(const std::vector<Tree>& estimate, const std::vector<T
     partner_of_estimate[p.left] = &reference[p.right];
     partner_of_reference[p.right] = &estimate[p.left];
   }
-  std::vector<Row> rows;
+  std::vector<MatchRow> rows;
   for (std::size_t r = 0; r < reference.size(); ++r)
     if (counts(reference[r]))
       rows.push_back({partner_of_reference[r] ? "matched" : "missed", partner_of_reference[r], &reference[r]});
   for (std::size_t e = 0; e < estimate.size(); ++e)
     if (!partner_of_estimate[e] && counts(estimate[e])) rows.push_back({"false", &estimate[e], nullptr});
-  std::ranges::stable_sort(rows, {}, [](const Row& r) { return r.kind == "matched" ? 0 : r.kind == "missed" ? 1 : 2; });
+  std::ranges::stable_sort(rows, {}, [](const MatchRow& r) {
+    return r.kind == "matched" ? 0 : r.kind == "missed" ? 1 : 2;
+  });
   return rows;
 }
 
@@ -278,12 +280,12 @@ StemEvaluation evaluate_stems(const Table& estimate_table, const Table& referenc
       trees_of(reference_in_our_columns(reference_table, options, out.guessed_columns), "reference", out.warnings);
   const Eigen::Isometry2d motion = align(estimate, reference, options);
   const auto rows = sort_out(estimate, reference, options, rule);
-  std::vector<Row> matched;
-  std::ranges::copy_if(rows, std::back_inserter(matched), [](const Row& r) { return r.kind == "matched"; });
+  std::vector<MatchRow> matched;
+  std::ranges::copy_if(rows, std::back_inserter(matched), [](const MatchRow& r) { return r.kind == "matched"; });
 
   out.matched = matched.size();
-  out.missed = static_cast<std::size_t>(std::ranges::count(rows, "missed", &Row::kind));
-  out.extra = static_cast<std::size_t>(std::ranges::count(rows, "false", &Row::kind));
+  out.missed = static_cast<std::size_t>(std::ranges::count(rows, "missed", &MatchRow::kind));
+  out.extra = static_cast<std::size_t>(std::ranges::count(rows, "false", &MatchRow::kind));
   out.matches = match_table(rows);
   SummaryRows summary(options.published_plot, options.published_system.value_or(PaperSystem::improved_loam));
   const auto n = static_cast<double>(out.matched);

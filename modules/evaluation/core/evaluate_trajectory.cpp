@@ -37,7 +37,7 @@ std::vector<PosePair> associate(const Trajectory& estimate, const Trajectory& re
   return pairs;
 }
 
-Pose best_motion(const std::vector<PosePair>& pairs) {
+Pose best_pose_motion(const std::vector<PosePair>& pairs) {
   Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(pairs.size())), to = from;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     from.col(static_cast<Eigen::Index>(i)) = pairs[i].estimate.translation();
@@ -188,7 +188,7 @@ TrajectoryEvaluation evaluate_trajectory(const Trajectory& estimate, const Traje
     length += (pairs[i].reference.translation() - pairs[i - 1].reference.translation()).norm();
   const Pose end_error = (pairs.front().reference.inverse() * pairs.back().reference).inverse() *
                          (pairs.front().estimate.inverse() * pairs.back().estimate);
-  if (options.align_trajectory == AlignTrajectory::se3) out.T_reference_estimate = best_motion(pairs);
+  if (options.align_trajectory == AlignTrajectory::se3) out.T_reference_estimate = best_pose_motion(pairs);
   for (auto& p : pairs) p.estimate = out.T_reference_estimate * p.estimate;
 
   std::vector<double> position, rotation;

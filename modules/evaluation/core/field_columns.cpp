@@ -20,7 +20,7 @@ struct Words {
   std::vector<std::string_view> inside;     // a heading that has it
 };
 
-const std::vector<Words>& words() {
+const std::vector<Words>& words_of_columns() {
   static const std::vector<Words> list{
       {"species", {"sp", "art", "spp"}, {"species"}, {"species", "baumart", "tree species"}, {"树种"}},
       {"tree_id",
@@ -121,7 +121,7 @@ FieldMapping guess_mapping(const Table& list) {
   std::vector<std::string> taken;
   for (const auto& wanted : field_columns()) {
     FieldMapping::Entry entry{wanted.name, {}, wanted.units.empty() ? std::string() : wanted.units.front()};
-    const auto known = std::ranges::find(words(), wanted.name, &Words::name);
+    const auto known = std::ranges::find(words_of_columns(), wanted.name, &Words::name);
     // A column of our own name first, whatever stands before it.
     for (const bool own : {true, false})
       for (const auto& column : list.columns()) {

@@ -38,14 +38,14 @@ std::vector<Rule> rules_of(const std::string& text, const char* option, const ch
   return rules;
 }
 
-std::string names_of(const Table& t) {
+std::string column_names(const Table& t) {
   std::string names;
   for (const auto& c : t.columns()) names += (names.empty() ? "" : ", ") + c.name;
   return names;
 }
 
 void require(const Table& t, const std::string& column) {
-  if (!t.has(column)) throw bad_input("there is no column '" + column + "'", "one of: " + names_of(t));
+  if (!t.has(column)) throw bad_input("there is no column '" + column + "'", "one of: " + column_names(t));
 }
 
 const std::map<std::string, double, std::less<>>& units() {
@@ -58,7 +58,7 @@ const std::map<std::string, double, std::less<>>& units() {
 bool is_angle(const std::string& unit) { return unit == "deg" || unit == "gon"; }
 
 // Of a column whose name ends in a unit, as all of ours do.
-std::string unit_of(const std::string& column) {
+std::string unit_of_column(const std::string& column) {
   const auto underscore = column.rfind('_');
   const auto unit = underscore == std::string::npos ? std::string() : column.substr(underscore + 1);
   return units().contains(unit) ? unit : std::string();
@@ -78,7 +78,7 @@ std::vector<double> numbers_of(const Table& t, const std::string& column) {
 
 void map_column(const Table& from, Table& to, const Rule& rule) {
   const auto colon = rule.value.rfind(':');
-  const std::string source = trimmed(rule.value.substr(0, colon)), wanted = unit_of(rule.name);
+  const std::string source = trimmed(rule.value.substr(0, colon)), wanted = unit_of_column(rule.name);
   require(from, source);
   if (wanted.empty() && colon == std::string::npos) {  // an id, a word
     to.set(rule.name, *from.find(source));

@@ -8,14 +8,14 @@ namespace {
 
 using Figures = std::array<std::string_view, 5>;  // plots 1 to 4, overall
 
-struct Row {
+struct PublishedRow {
   std::string_view measure;
   Figures improved_loam, loam;
 };
 
 // As printed. The text of the paper gives other ranges in places (mean errors from -0.029 m, relRMSE from 3.61 %), and
 // sigma and RMSE of plot 2 do not go together (an RMSE below sigma): the tables are taken.
-constexpr std::array<Row, 12> rows{{
+constexpr std::array<PublishedRow, 12> rows{{
     {"position_mean_x",
      {"-0.048", "0.002", "0.027", "0.003", "-0.004"},
      {"-0.101", "-0.046", "0.027", "-0.045", "-0.040"}},
@@ -41,7 +41,7 @@ constexpr std::array<Row, 12> rows{{
 }  // namespace
 
 std::string published_figure(PublishedPlot plot, PaperSystem system, std::string_view measure) {
-  const auto row = std::ranges::find(rows, measure, &Row::measure);
+  const auto row = std::ranges::find(rows, measure, &PublishedRow::measure);
   if (plot == PublishedPlot::none || row == rows.end()) return {};
   const auto& figures = system == PaperSystem::loam ? row->loam : row->improved_loam;
   return std::string(figures[static_cast<std::size_t>(plot) - 1]);

@@ -12,7 +12,7 @@
 namespace bole::geo {
 namespace {
 
-constexpr int max_steps = 30;
+constexpr int max_mark_steps = 30;
 constexpr int unknowns = 6;  // x, y, z, yaw, tilt about x, tilt about y
 
 using Normal = Eigen::Matrix<double, unknowns, unknowns>;
@@ -31,9 +31,9 @@ struct State {
   }
 };
 
-class Adjustment {
+class MarkAdjustment {
  public:
-  Adjustment(const std::vector<SeenMark>& marks, const MarkErrors& errors) : marks_(marks), errors_(errors) {
+  MarkAdjustment(const std::vector<SeenMark>& marks, const MarkErrors& errors) : marks_(marks), errors_(errors) {
     origin_ = marks.front().mark_nav;
   }
 
@@ -135,11 +135,11 @@ void check(const std::vector<SeenMark>& marks, const MarkErrors& e) {
 
 MarkPose pose_from_marks(const std::vector<SeenMark>& marks, const MarkErrors& errors) {
   check(marks, errors);
-  const Adjustment adjustment(marks, errors);
+  const MarkAdjustment adjustment(marks, errors);
   State s = adjustment.start();
   Unknowns right;
   Normal N = adjustment.normal(s, right);
-  for (int step = 0; step < max_steps; ++step) {
+  for (int step = 0; step < max_mark_steps; ++step) {
     const Unknowns dx = N.ldlt().solve(right);
     if (!dx.allFinite()) break;
     s.position += dx.head<3>();

@@ -78,7 +78,7 @@ double mean_longitude_deg(const std::vector<double>& longitudes_deg) {
   return n == 0 ? first : longitude_difference_deg(first + sum / n, 0);
 }
 
-TransverseMercatorPlane plane_of(const ProjectOptions& o, double longitude_deg, double latitude_deg) {
+TransverseMercatorPlane plane_of_options(const ProjectOptions& o, double longitude_deg, double latitude_deg) {
   const auto& ellipsoid = ellipsoid_of(o.ellipsoid);
   if (o.plane == PlaneKind::transverse_mercator)
     return {ellipsoid,         o.central_meridian_deg, o.scale,
@@ -118,8 +118,8 @@ Projected project_table(const Table& table, const ProjectOptions& o) {
   const bool metres = (table.has("x_m") && table.has("y_m")) || (table.has("a_x_m") && table.has("a_y_m"));
   if (forward && !geodetic && metres) return unchanged(table);
   const auto a = table.numbers(forward ? "latitude_deg" : "x_m"), b = table.numbers(forward ? "longitude_deg" : "y_m");
-  const auto definition =
-      forward ? plane_of(o, mean_longitude_deg(b), first_finite(a)) : plane_of(o, std::nan(""), std::nan(""));
+  const auto definition = forward ? plane_of_options(o, mean_longitude_deg(b), first_finite(a))
+                                  : plane_of_options(o, std::nan(""), std::nan(""));
   const TransverseMercator projection(definition);
 
   std::vector<double> first(a.size(), std::nan("")), second = first, convergence = first;

@@ -102,7 +102,7 @@ std::optional<ProjectedCrs::Area> area_of(const OGRSpatialReference& crs) {
   return read(registered);
 }
 
-std::optional<TransverseMercatorPlane> plane_of(const OGRSpatialReference& crs) {
+std::optional<TransverseMercatorPlane> plane_of_crs(const OGRSpatialReference& crs) {
   const char* method = crs.GetAttrValue("PROJECTION");
   if (method == nullptr || !EQUAL(method, SRS_PT_TRANSVERSE_MERCATOR) || crs.GetPrimeMeridian(nullptr) != 0)
     return std::nullopt;
@@ -147,7 +147,7 @@ class ProjectedCrs::System {
     semi_major_m = crs.GetSemiMajor(nullptr);
     const double inverse_flattening = crs.GetInvFlattening(nullptr);
     flattening = inverse_flattening > 1 ? 1 / inverse_flattening : 0;
-    if (const auto plane = plane_of(crs)) mercator.emplace(*plane);
+    if (const auto plane = plane_of_crs(crs)) mercator.emplace(*plane);
     false_easting_m = crs.GetNormProjParm(SRS_PP_FALSE_EASTING, 0);
     const std::unique_ptr<OGRSpatialReference, void (*)(OGRSpatialReference*)> own(
         crs.CloneGeogCS(), [](OGRSpatialReference* r) { r->Release(); });

@@ -11,7 +11,7 @@
 namespace bole::geo {
 namespace {
 
-constexpr int max_steps = 100;
+constexpr int max_range_steps = 100;
 constexpr double min_spread = 0.02;  // of the marks across, over along: flatter counts as a line or plane
 constexpr double misfit_limit = 5;   // sigmas of a range, where there is redundancy to tell
 
@@ -24,9 +24,9 @@ struct Solution {
 
 std::string text(const Eigen::Vector3d& p) { return fmt::format("({:.3f}, {:.3f}, {:.3f})", p.x(), p.y(), p.z()); }
 
-class Adjustment {
+class RangeAdjustment {
  public:
-  Adjustment(const std::vector<RangeToMark>& ranges, const ResectionOptions& options)
+  RangeAdjustment(const std::vector<RangeToMark>& ranges, const ResectionOptions& options)
       : ranges_(ranges), options_(options), unknowns_(options.height_m ? 2 : 3) {}
 
   int unknowns() const { return unknowns_; }
@@ -49,7 +49,7 @@ class Adjustment {
     if (options_.height_m) start.z() = *options_.height_m;
     Solution best = at(start);
     double damping = 1e-3;
-    for (int step = 0; step < max_steps; ++step) {
+    for (int step = 0; step < max_range_steps; ++step) {
       const Eigen::MatrixXd normal = best.jacobian.transpose() * best.jacobian;
       Eigen::MatrixXd damped = normal;
       damped.diagonal().array() += damping * normal.trace() / unknowns_;
@@ -149,7 +149,7 @@ Resection resect(const std::vector<RangeToMark>& ranges, const ResectionOptions&
                     "marks that span a triangle", "Move one mark off the line");
 
   // Both sides of the plane of the marks; with a known height the plane is horizontal and both starts are alike.
-  const Adjustment adjustment(ranges, options);
+  const RangeAdjustment adjustment(ranges, options);
   double reach = 0;
   for (const auto& r : ranges) reach += r.range_m / static_cast<double>(ranges.size());
   Solution best = adjustment.solve(spread.centre + 0.5 * reach * spread.axes.col(2));

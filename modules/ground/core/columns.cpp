@@ -13,7 +13,7 @@ constexpr double max_gap_m = 0.30;     // along a column
 constexpr double min_height_m = 1.2;   // of a column
 constexpr double window_low_m = 0.2;   // above its foot, where its density is compared
 constexpr double window_high_m = 1.7;  // likewise
-constexpr std::size_t min_points = 15;
+constexpr std::size_t min_column_points = 15;
 constexpr double min_contrast = 4;
 constexpr int near_cells = 2;  // what is as near belongs to the same structure
 constexpr int far_cells = 4;   // from near_cells to here it is compared with what is beside it
@@ -63,12 +63,12 @@ class ColumnFinder {
   Column lowest_run(std::size_t cell) const {
     const auto points = grid_.points(cell);
     Column out;
-    for (std::size_t begin = 0; begin + min_points <= points.size();) {
+    for (std::size_t begin = 0; begin + min_column_points <= points.size();) {
       std::size_t end = begin + 1;
       while (end < points.size() && z(points[end]) - z(points[end - 1]) <= max_gap_m) ++end;
       const std::size_t first = std::min(begin + 2, end - 1);
       const double foot = z(points[first]), top = z(points[end - 1]);
-      if (end - begin >= min_points && top - foot >= min_height_m) {
+      if (end - begin >= min_column_points && top - foot >= min_height_m) {
         out.foot = foot;
         out.top = top;
         out.points = count_between(cell, foot + window_low_m, foot + window_high_m);
@@ -95,7 +95,7 @@ class ColumnFinder {
 
   bool is_upright(std::size_t cell) const {
     const auto& c = column_[cell];
-    if (c.points < min_points / 2) return false;
+    if (c.points < min_column_points / 2) return false;
     std::size_t beside = 0;
     int cells = 0;
     around(cell, far_cells, [&](std::size_t other, int distance) {

@@ -8,8 +8,6 @@
 namespace bole::ground {
 namespace {
 
-constexpr std::uint32_t no_cell = ~std::uint32_t{0};
-
 // The nearest known cell of each cell (to within a fraction of a cell): distances are handed on in two sweeps over the
 // grid, as in Danielsson's sequential distance transform.
 class NearestKnown {

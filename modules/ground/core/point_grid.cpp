@@ -14,7 +14,6 @@ namespace bole::ground {
 namespace {
 
 constexpr std::size_t max_cells = 100'000'000;
-constexpr std::uint32_t no_cell = ~std::uint32_t{0};
 constexpr std::size_t chunk_points = std::size_t{1} << 20;
 
 struct Box {

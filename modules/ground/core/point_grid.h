@@ -11,6 +11,8 @@
 
 namespace bole::ground {
 
+inline constexpr std::uint32_t no_cell = ~std::uint32_t{0};
+
 // A grid over the plane, in metres relative to PointCloud::origin.
 struct GridShape {
   Eigen::Vector2d corner = Eigen::Vector2d::Zero();  // outer corner of cell (0, 0)

@@ -12,7 +12,7 @@ namespace bole::ground {
 namespace {
 
 constexpr std::size_t max_points_per_cell = 60;
-constexpr std::size_t min_points = 8;  // of the neighbours, for a cell that has none itself
+constexpr std::size_t min_neighbour_points = 8;  // of the neighbours, for a cell that has none itself
 
 // Points of a cell near the rough surface.
 struct NearGround {
@@ -99,7 +99,7 @@ class TerrainFitter {
 
   // Whether the neighbours' points lie on several sides, so that the fit interpolates.
   bool surrounded(const std::vector<BandPoint>& window) const {
-    if (window.size() < min_points) return false;
+    if (window.size() < min_neighbour_points) return false;
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
     for (const auto& p : window) mean += Eigen::Vector2d(static_cast<double>(p.dx), static_cast<double>(p.dy));
     return (mean / static_cast<double>(window.size())).norm() < 0.4 * shape_.cell_m;

@@ -34,7 +34,7 @@ struct Stand {
   Eigen::Vector2d outside(const Eigen::Vector2d& p) const { return Eigen::Rotation2Dd(-bearing_rad) * p + centre; }
 };
 
-Stand stand_of(const Table& stems, const CountingRule& rule) {
+Stand rectangular_stand(const Table& stems, const CountingRule& rule) {
   if (rule.area.shape != PlotArea::Shape::rectangle)
     throw bad_input("the stand is no rectangle", "a rectangle around all trees that are known",
                     "Set width and length of survey.plot");
@@ -256,7 +256,7 @@ double circle_in_rectangle_m2(const Eigen::Vector2d& centre, double radius_m, do
 }
 
 SampleStudy sample_plots(const Table& stems, const CountingRule& rule, const SampleOptions& o, const Run& run) {
-  const Stand stand = stand_of(stems, rule);
+  const Stand stand = rectangular_stand(stems, rule);
   const auto radii = radii_of(o.radii, stand);
   const Sampler sampler(stand, o);
   Tables tables;

@@ -51,7 +51,7 @@ HalfWidths per_hectare(const HalfWidths& half, double area_m2) {
 }
 
 // Only where a plot has stems are there intervals.
-StandValues stand_of(const PlotValues& v) {
+StandValues known_stand_values(const PlotValues& v) {
   StandValues s = v.stand;
   if (v.stems == 0) {
     s.stems = s.basal_area_m2 = s.volume_m3_half = no_interval;
@@ -69,7 +69,7 @@ StandValues stand_of(const PlotValues& v) {
 }  // namespace
 
 Table plot_value_table(const PlotValues& v, const PlotValueOptions& options) {
-  const StandValues s = stand_of(v);
+  const StandValues s = known_stand_values(v);
   ValueRows rows;
   rows.add("area", v.area_m2, "m2");
   rows.add("breast_height", v.assumed.breast_height_m, "m");

@@ -59,14 +59,6 @@ std::string joined(const std::vector<std::string>& words) {
   return out;
 }
 
-// "XYZ (.xyz, .txt)", and "LAS" alone where the name says the ending.
-std::string described(const Format& format) {
-  std::string bracket(format.note);
-  if (bracket.empty() && !(format.endings.size() == 1 && format.endings[0].substr(1) == format.word()))
-    for (const auto ending : format.endings) bracket += (bracket.empty() ? "" : ", ") + std::string(ending);
-  return std::string(format.name) + (bracket.empty() ? "" : " (" + bracket + ")");
-}
-
 }  // namespace
 
 std::string_view content_name(FileContent content) {
@@ -177,11 +169,23 @@ const Format& written_format(FileContent content, const fs::path& path) {
       joined(endings));
 }
 
+std::vector<ListedFormat> listed_formats(FileContent content) {
+  std::vector<ListedFormat> list;
+  for (const auto& format : formats()) {
+    if (format.content() != content) continue;
+    std::string bracket(format.note);
+    if (bracket.empty() && !(format.endings.size() == 1 && format.endings[0].substr(1) == format.word()))
+      for (const auto ending : format.endings) bracket += (bracket.empty() ? "" : ", ") + std::string(ending);
+    list.push_back({std::string(format.name), std::move(bracket)});
+  }
+  return list;
+}
+
 std::string format_list(std::span<const FileContent> contents) {
   std::vector<std::string> names;
   for (const auto content : contents)
-    for (const auto& format : formats())
-      if (format.content() == content) names.push_back(described(format));
+    for (const auto& [name, bracket] : listed_formats(content))
+      names.push_back(name + (bracket.empty() ? "" : " (" + bracket + ")"));
   return joined(names);
 }
 

@@ -1,6 +1,5 @@
 // The one table of file formats. Dispatch, messages, help, file dialogs, drag and drop and the list of fuzz targets
-// come from it: a new format is a row of
-// scan_format_rows.cpp or table_format_rows.cpp.
+// come from it: a new format is a row of scan_format_rows.cpp or table_format_rows.cpp.
 #pragma once
 
 #include <array>
@@ -27,6 +26,8 @@ namespace bole::io {
 
 // What a file holds. The order is that of the alternatives of Format::access.
 enum class FileContent { scan, cloud, table, track, trajectory, views };
+inline constexpr std::array all_contents{FileContent::scan,  FileContent::cloud,      FileContent::table,
+                                         FileContent::track, FileContent::trajectory, FileContent::views};
 
 std::string_view content_name(FileContent content);  // "point cloud"
 std::string_view stage_of(FileContent content);      // "io.read_cloud"
@@ -109,6 +110,12 @@ const Format& format_named(FileContent content, std::string_view name);
 // The format of this content that a file with this ending is written in. Throws Error{bad_input} that lists the
 // endings.
 const Format& written_format(FileContent content, const std::filesystem::path& path);
+
+// A row as lists name it: "XYZ" and ".xyz, .txt"; "LAS" and nothing, where the name says the ending.
+struct ListedFormat {
+  std::string name, bracket;
+};
+std::vector<ListedFormat> listed_formats(FileContent content);
 
 // "LAS, LAZ or XYZ (.xyz, .txt)": for help and messages.
 std::string format_list(std::span<const FileContent> contents);

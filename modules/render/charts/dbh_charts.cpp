@@ -58,14 +58,14 @@ std::vector<Series> series_of(const std::vector<MatchGroup>& groups) {
   return out;
 }
 
-std::vector<std::string> statistics_of(const Pairs& pairs) {
+std::vector<std::string> dbh_statistics(const Pairs& pairs) {
   const auto s = error_statistics(pairs.estimate, pairs.reference);
   return {
       "n = " + std::to_string(s.count), "bias = " + fixed(s.bias, 2) + " cm (" + fixed(s.relative_bias_pct, 1) + " %)",
       "RMSE = " + fixed(s.rmse, 2) + " cm (" + fixed(s.relative_rmse_pct, 1) + " %)", "R² = " + fixed(s.r_squared, 3)};
 }
 
-void draw_scatter(Canvas& canvas, const std::vector<Series>& all, const std::string& reference_label) {
+void draw_dbh_scatter(Canvas& canvas, const std::vector<Series>& all, const std::string& reference_label) {
   Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const auto& series : all)
     for (const auto* values : {&series.pairs.estimate, &series.pairs.reference})
@@ -93,7 +93,7 @@ void draw_scatter(Canvas& canvas, const std::vector<Series>& all, const std::str
       canvas.text({x + 3, y}, series.name, TextStyle{7.5, ink::text, true}.aligned(HAlign::left, VAlign::top));
       y += 3.9;
     }
-    const auto lines = statistics_of(series.pairs);
+    const auto lines = dbh_statistics(series.pairs);
     draw_statistics(canvas, {series.name.empty() ? x : x + 3, y}, lines, HAlign::left);
     y += 3.9 * static_cast<double>(lines.size()) + 1.2;
   }
@@ -258,7 +258,7 @@ Figure dbh_scatter(const std::vector<MatchGroup>& groups, double width_mm, const
                 {}};
   figure.draw = [all = series_of(groups),
                  label = (against.empty() ? "Reference DBH (cm)" : "DBH of " + against + " (cm)")](Canvas& canvas) {
-    draw_scatter(canvas, all, label);
+    draw_dbh_scatter(canvas, all, label);
   };
   return figure;
 }

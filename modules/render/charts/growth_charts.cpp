@@ -32,14 +32,14 @@ const KindLook* look_of(const std::string& kind) {
   return nullptr;
 }
 
-struct Tree {
+struct GrownTree {
   Eigen::Vector2d at;
   double growth_cm = 0;
   const KindLook* look = nullptr;  // null: matched
 };
 
 struct MapContent {
-  std::vector<Tree> trees;
+  std::vector<GrownTree> trees;
   Interval x, y, growth;
   bool north_known = true;
 };
@@ -95,7 +95,7 @@ void draw_map(Canvas& canvas, const MapContent& c, const Frame& frame, double wi
                  "Growth (cm)");
   std::vector<LegendEntry> legend{{Symbol::ring, ink::text, "found again"}};
   for (const auto& look : looks)
-    if (std::ranges::any_of(c.trees, [&](const Tree& t) { return t.look == &look; }))
+    if (std::ranges::any_of(c.trees, [&](const GrownTree& t) { return t.look == &look; }))
       legend.push_back({look.symbol, look.color, look.words});
   draw_legend_row(canvas, {frame.box.x0, frame.box.y1 + axis_space_below_mm + 1}, width_mm - frame.box.x0, legend, 7);
 }

@@ -41,7 +41,8 @@ struct Dot {
   bool hollow = false;
 };
 
-void draw_dots(Canvas& canvas, const Frame& frame, const std::vector<Dot>& dots, std::optional<std::int64_t> selected) {
+void draw_linked_dots(Canvas& canvas, const Frame& frame, const std::vector<Dot>& dots,
+                      std::optional<std::int64_t> selected) {
   for (const auto& dot : dots)
     canvas.circle(frame.map(dot.x, dot.y), dot_mm, dot.hollow ? ink::paper : dot.color.with_alpha(0.8),
                   Stroke{dot.hollow ? dot.color : ink::paper, dot.hollow ? 0.25 : 0.1});
@@ -145,7 +146,7 @@ LinkedChart height_over_diameter(const Table& stems, const ChartSize& size, std:
   chart.figure.draw = [frame, dots, selected](Canvas& canvas) {
     const AxesStyle axes{"DBH (cm)", "Height (m)"};
     draw_grid(canvas, frame, axes);
-    draw_dots(canvas, frame, dots, selected);
+    draw_linked_dots(canvas, frame, dots, selected);
     draw_axes(canvas, frame, axes);
   };
   return chart;
@@ -181,7 +182,7 @@ LinkedChart estimated_over_field(const Table& matches, const ChartSize& size, st
     const AxesStyle axes{"Field DBH (cm)", "Estimated DBH (cm)"};
     draw_grid(canvas, frame, axes);
     canvas.line(frame.map(range.lo, range.lo), frame.map(range.hi, range.hi), Stroke{ink::muted, 0.25, {1.4, 1.0}});
-    draw_dots(canvas, frame, dots, selected);
+    draw_linked_dots(canvas, frame, dots, selected);
     draw_axes(canvas, frame, axes);
     canvas.text(
         {frame.box.x0 + 2, frame.box.y0 + 1.5},

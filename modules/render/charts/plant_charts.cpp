@@ -79,7 +79,7 @@ Traits traits_of(const Table& table) {
   return t;
 }
 
-void draw_dots(Canvas& canvas, const Frame& frame, const Drawn& drawn, int vertical_axis) {
+void draw_plant_dots(Canvas& canvas, const Frame& frame, const Drawn& drawn, int vertical_axis) {
   auto order = drawn.dots;
   const int depth_axis = vertical_axis == 2 ? 1 : 2;
   // What is nearer to the eye is drawn later: above in the plan, to the front from the side.
@@ -113,7 +113,7 @@ void label(Canvas& canvas, const Eigen::Vector2d& at, const std::string& text, H
 
 std::string millimetres(double metres, int decimals) { return fixed(1000 * metres, decimals) + " mm"; }
 
-void draw_heights(Canvas& canvas, const Frame& frame, const Traits& t) {
+void draw_plant_heights(Canvas& canvas, const Frame& frame, const Traits& t) {
   if (!t.base.allFinite()) return;
   const Stroke line{ink::accent, 0.3, {1.4, 0.8}};
   if (std::isfinite(t.height)) {
@@ -167,11 +167,11 @@ Figure plant_drawing(const PlantDrawing& data, double width_mm) {
       draw_grid(canvas, frame, axes);
       {
         const auto clip = canvas.clip(frame.box);
-        draw_dots(canvas, frame, drawn, axis);
+        draw_plant_dots(canvas, frame, drawn, axis);
         if (axis == 1)
           draw_rectangle(canvas, frame, traits);
         else
-          draw_heights(canvas, frame, traits);
+          draw_plant_heights(canvas, frame, traits);
       }
       if (axis == 1 && std::isfinite(traits.length + traits.width))
         label(canvas, {frame.box.x0 + 1, frame.box.y0 + 3},

@@ -40,7 +40,7 @@ void draw_cloud(Canvas& canvas, const Frame& frame, const ErrorSeries& series, c
   canvas.cross(frame.map(spread.mean.x(), spread.mean.y()), 1.2, Stroke{series.mean_color, 0.45});
 }
 
-std::vector<std::string> statistics_of(const ErrorSeries& series, const ErrorSpread& spread) {
+std::vector<std::string> position_statistics(const ErrorSeries& series, const ErrorSpread& spread) {
   Eigen::Vector2d squares = Eigen::Vector2d::Zero();
   for (const auto& e : series.cm) squares += e.cwiseAbs2();
   const double n = std::max<double>(1, static_cast<double>(series.cm.size()));
@@ -51,7 +51,7 @@ std::vector<std::string> statistics_of(const ErrorSeries& series, const ErrorSpr
           "σ max = " + fixed(spread.max_sigma, 1) + " cm"};
 }
 
-void draw_errors(Canvas& canvas, const std::vector<ErrorSeries>& all) {
+void draw_position_errors(Canvas& canvas, const std::vector<ErrorSeries>& all) {
   double most = 1;
   for (const auto& series : all)
     for (const auto& e : series.cm) most = std::max(most, e.cwiseAbs().maxCoeff());
@@ -82,7 +82,7 @@ void draw_errors(Canvas& canvas, const std::vector<ErrorSeries>& all) {
       write(x + 3, series.name);
       style.bold = false;
     }
-    for (const auto& line : statistics_of(series, error_spread(series.cm)))
+    for (const auto& line : position_statistics(series, error_spread(series.cm)))
       write(series.name.empty() ? x : x + 3, line);
     y += 1.2;
   }
@@ -217,7 +217,7 @@ Figure position_errors(const std::vector<MatchGroup>& groups, double width_mm) {
   for (const auto& g : groups)  // a series alone has its mean in another ink
     all.push_back(
         {g.name, g.color, groups.size() > 1 ? g.color : ink::accent, in_centimetres(matched_errors(*g.matches))});
-  figure.draw = [all = std::move(all)](Canvas& canvas) { draw_errors(canvas, all); };
+  figure.draw = [all = std::move(all)](Canvas& canvas) { draw_position_errors(canvas, all); };
   return figure;
 }
 

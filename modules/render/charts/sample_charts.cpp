@@ -38,11 +38,11 @@ Color edge_color(std::size_t i) {
   return inks[i % std::size(inks)];
 }
 
-struct Extent {
+struct SampleExtent {
   Interval radius, bias, sd;
 };
 
-Extent extent_of(const Lines& lines) {
+SampleExtent sample_extent(const Lines& lines) {
   double low = 1e300, high = 0, worst = 1, most = 1;
   for (const auto& [edge, points] : lines)
     for (const auto& p : points) {
@@ -75,7 +75,7 @@ void draw_bias(Canvas& canvas, const Lines& lines, const Frame& frame) {
   draw_axes(canvas, frame, axes);
 }
 
-void draw_scatter(Canvas& canvas, const Lines& lines, const Frame& frame) {
+void draw_sample_scatter(Canvas& canvas, const Lines& lines, const Frame& frame) {
   AxesStyle axes;
   axes.x_label = "Radius of the plots (m)";
   axes.y_label = "SD of single plots (%)";
@@ -109,12 +109,12 @@ Figure sample_curves(const Table& summary, double width_mm) {
     for (std::size_t k = 0; k < lines.size(); ++k) legend.push_back({Symbol::line, edge_color(k), lines[k].first});
     legend.push_back({Symbol::dashed_line, ink::muted, "trees at random"});
     draw_legend_row(canvas, {axis_space_left_mm, 1}, canvas.width_mm() - axis_space_left_mm, legend, 7);
-    const auto extent = extent_of(lines);
+    const auto extent = sample_extent(lines);
     const double width = (canvas.width_mm() - 2 * axis_space_left_mm - 3 - (sample_gap_mm - axis_space_left_mm)) / 2;
     const double left = axis_space_left_mm, right = left + width + sample_gap_mm;
     draw_bias(canvas, lines,
               {{left, sample_legend_mm, left + width, sample_legend_mm + sample_panel_mm}, extent.radius, extent.bias});
-    draw_scatter(
+    draw_sample_scatter(
         canvas, lines,
         {{right, sample_legend_mm, right + width, sample_legend_mm + sample_panel_mm}, extent.radius, extent.sd});
   };

@@ -13,7 +13,7 @@ namespace {
 constexpr double pair_gap_mm = 1.2, group_gap_mm = 5, head_mm = 5, name_mm = 4.2, foot_mm = 4.2, pair_legend_mm = 7;
 constexpr double max_panel_mm = 41, min_panel_mm = 34;
 
-void draw_circle(Canvas& canvas, const Eigen::Vector2d& centre, double radius_mm, const Stroke& stroke) {
+void draw_dashed_circle(Canvas& canvas, const Eigen::Vector2d& centre, double radius_mm, const Stroke& stroke) {
   if (stroke.dash_mm.empty()) return canvas.circle(centre, radius_mm, {}, stroke);
   constexpr int corners = 72;
   std::vector<Eigen::Vector2d> ring;
@@ -37,10 +37,10 @@ void draw_slice(Canvas& canvas, const ComparedSlice& slice, const Color& color, 
     if (std::isfinite(reference_dbh_m)) {
       const Eigen::Vector2d at(centre.x() + slice.to_reference.x() * mm_per_m,
                                centre.y() - slice.to_reference.y() * mm_per_m);
-      draw_circle(canvas, at, reference_dbh_m / 2 * mm_per_m, Stroke{ink::text, 0.3, {1.2, 0.9}});
+      draw_dashed_circle(canvas, at, reference_dbh_m / 2 * mm_per_m, Stroke{ink::text, 0.3, {1.2, 0.9}});
     }
     if (slice.found && std::isfinite(slice.panel.dbh_m))
-      draw_circle(canvas, centre, slice.panel.dbh_m / 2 * mm_per_m, Stroke{color, 0.4});
+      draw_dashed_circle(canvas, centre, slice.panel.dbh_m / 2 * mm_per_m, Stroke{color, 0.4});
   }
   canvas.rectangle(box, {}, Stroke{hex(0xc9d0d5), 0.15});
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double gap_mm = 2.2, header_mm = 5.4, footer_mm = 4.6;
 
-void draw_points(Canvas& canvas, const SlicePanel& panel, const Eigen::Vector2d& centre, double mm_per_m) {
+void draw_panel_points(Canvas& canvas, const SlicePanel& panel, const Eigen::Vector2d& centre, double mm_per_m) {
   std::map<int, std::vector<Eigen::Vector2d>> by_pass;
   for (const auto& p : panel.points)
     by_pass[p.pass].emplace_back(centre.x() + p.offset.x() * mm_per_m, centre.y() - p.offset.y() * mm_per_m);
@@ -27,7 +27,7 @@ void draw_points(Canvas& canvas, const SlicePanel& panel, const Eigen::Vector2d&
                 by_pass.size() > 1 ? id_color(pass + 1) : ink::primary.with_alpha(0.7));
 }
 
-void draw_panel(Canvas& canvas, const SlicePanel& panel, const Box& box) {
+void draw_slice_panel(Canvas& canvas, const SlicePanel& panel, const Box& box) {
   const Color color = quality_color(panel.quality);
   const Box head{box.x0, box.y0, box.x1, box.y0 + header_mm},
       body{box.x0, box.y0 + header_mm, box.x1, box.y1 - footer_mm};
@@ -43,7 +43,7 @@ void draw_panel(Canvas& canvas, const SlicePanel& panel, const Box& box) {
   const Eigen::Vector2d centre = body.centre();
   {
     const auto clip = canvas.clip(body);
-    draw_points(canvas, panel, centre, mm_per_m);
+    draw_panel_points(canvas, panel, centre, mm_per_m);
     if (std::isfinite(panel.lo_m) && std::isfinite(panel.hi_m))
       canvas.ring(centre, std::max(0.0, panel.lo_m / 2 * mm_per_m), panel.hi_m / 2 * mm_per_m, color.with_alpha(0.25));
     canvas.circle(centre, panel.dbh_m / 2 * mm_per_m, {}, Stroke{color, 0.35});
@@ -101,7 +101,7 @@ std::vector<Figure> slice_sheets(const Table& stems, const PointCloud& slice, do
         const std::size_t column = i % columns, row = i / columns;
         const double x = 0.2 + static_cast<double>(column) * (side + gap_mm),
                      y = 0.2 + static_cast<double>(row) * (height + gap_mm);
-        draw_panel(canvas, (*panels)[page[i]], {x, y, x + side, y + height});
+        draw_slice_panel(canvas, (*panels)[page[i]], {x, y, x + side, y + height});
       }
     };
     pages.push_back(std::move(figure));

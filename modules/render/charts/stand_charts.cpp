@@ -13,7 +13,7 @@
 namespace bole::render {
 namespace {
 
-struct Tree {
+struct StandTree {
   double dbh_cm = 0, height_m = 0;
   bool seen = true;
   Color color;
@@ -25,11 +25,11 @@ struct Curve {
   double height_m(double d) const { return breast_height_m + d * d / ((a + b * d) * (a + b * d)); }
 };
 
-std::vector<Tree> trees_of(const Table& stems) {
+std::vector<StandTree> trees_of(const Table& stems) {
   const auto dbh = numbers_or_nan(stems, "dbh_cm"), height = known_heights(stems),
              seen = numbers_or_nan(stems, "height_seen");
   const auto quality = texts_or_empty(stems, "quality");
-  std::vector<Tree> trees;
+  std::vector<StandTree> trees;
   for (std::size_t i = 0; i < stems.rows(); ++i)
     if (std::isfinite(dbh[i] + height[i]))
       trees.push_back({dbh[i], height[i], seen[i] != 0, quality_color(quality[i])});
@@ -46,7 +46,7 @@ Frame frame_of(const Canvas& canvas, const Interval& x, const Interval& y) {
   return {{axis_space_left_mm, 3, canvas.width_mm() - 3, canvas.height_mm() - axis_space_below_mm - 6}, x, y};
 }
 
-void draw_heights(Canvas& canvas, const std::vector<Tree>& trees, const std::optional<Curve>& curve) {
+void draw_tree_heights(Canvas& canvas, const std::vector<StandTree>& trees, const std::optional<Curve>& curve) {
   double max_x = 10, max_y = 5;
   for (const auto& t : trees) max_x = std::max(max_x, t.dbh_cm), max_y = std::max(max_y, t.height_m);
   const Frame frame = frame_of(canvas, nice_interval({0, 1.05 * max_x}, 6), nice_interval({0, 1.05 * max_y}, 5));
@@ -142,7 +142,7 @@ Figure height_diameter(const Table& stems, const Table* curve, double width_mm) 
                 {}};
   const auto fitted = curve_of(curve);
   if (fitted) figure.caption += " Line: the height curve, over the diameters that it was fitted to.";
-  figure.draw = [trees = trees_of(stems), fitted](Canvas& canvas) { draw_heights(canvas, trees, fitted); };
+  figure.draw = [trees = trees_of(stems), fitted](Canvas& canvas) { draw_tree_heights(canvas, trees, fitted); };
   return figure;
 }
 

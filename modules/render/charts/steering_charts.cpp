@@ -43,11 +43,11 @@ struct Style {
   bool receiver = false;
 };
 
-struct Extent {
+struct SteeringExtent {
   Interval along, error;
 };
 
-Extent extent_of(const std::vector<Panel>& panels, bool with_receiver) {
+SteeringExtent steering_extent(const std::vector<Panel>& panels, bool with_receiver) {
   double low = 1e300, high = -1e300, most = 1;
   for (const auto& p : panels)
     for (const auto* group : {&p.passes, &p.receiver}) {
@@ -68,7 +68,7 @@ Color pass_color(std::int64_t pass) {
   return inks[static_cast<std::size_t>(pass - 1) % std::size(inks)];
 }
 
-void draw_panel(Canvas& canvas, const Panel& panel, const Frame& frame, const Style& style, bool last) {
+void draw_steering_panel(Canvas& canvas, const Panel& panel, const Frame& frame, const Style& style, bool last) {
   AxesStyle axes;
   axes.x_label = last ? "Way along the line (m)" : "";
   axes.y_label = style.y_label;
@@ -96,7 +96,7 @@ void draw_panel(Canvas& canvas, const Panel& panel, const Frame& frame, const St
 }
 
 void draw_panels(Canvas& canvas, const std::vector<Panel>& panels, const Style& style) {
-  const auto extent = extent_of(panels, style.receiver);
+  const auto extent = steering_extent(panels, style.receiver);
   std::map<std::int64_t, bool> numbers;
   for (const auto& p : panels)
     for (const auto& [number, curve] : p.passes) numbers[number] = true;
@@ -107,9 +107,9 @@ void draw_panels(Canvas& canvas, const std::vector<Panel>& panels, const Style& 
   draw_legend_row(canvas, {axis_space_left_mm, 1}, canvas.width_mm() - axis_space_left_mm, legend, 7);
   double y = run_legend_mm;
   for (std::size_t i = 0; i < panels.size(); ++i, y += run_panel_mm + run_gap_mm)
-    draw_panel(canvas, panels[i],
-               {{axis_space_left_mm, y, canvas.width_mm() - 3, y + run_panel_mm}, extent.along, extent.error}, style,
-               i + 1 == panels.size());
+    draw_steering_panel(canvas, panels[i],
+                        {{axis_space_left_mm, y, canvas.width_mm() - 3, y + run_panel_mm}, extent.along, extent.error},
+                        style, i + 1 == panels.size());
 }
 
 Figure curves(const Table& errors, const char* column, double width_mm, Style style) {

@@ -16,7 +16,7 @@ constexpr double line_mm = 4, band_m_share = 0.05, full_color_m = 0.02;
 constexpr double near_rim = 0.35;  // of the radius: points further off do not count as of the stem
 const Color hand = hex(0x0073e6);
 
-void draw_points(Canvas& canvas, const StemSliceData& data, const SliceScale& scale) {
+void draw_slice_points(Canvas& canvas, const StemSliceData& data, const SliceScale& scale) {
   std::map<int, std::vector<Eigen::Vector2d>> by_pass;
   for (std::size_t i = 0; i < data.points.size(); ++i)
     by_pass[i < data.pass.size() ? data.pass[i] : 0].push_back(scale.to_sheet(data.points[i]));
@@ -45,7 +45,7 @@ void draw_band(Canvas& canvas, const StemSliceData& data, const SliceScale& scal
   }
 }
 
-void draw_circle(Canvas& canvas, const SliceScale& scale, const SliceCircle& circle, const Stroke& stroke) {
+void draw_slice_circle(Canvas& canvas, const SliceScale& scale, const SliceCircle& circle, const Stroke& stroke) {
   canvas.circle(scale.to_sheet(circle.centre), circle.radius_m * scale.mm_per_metre, {}, stroke);
 }
 
@@ -55,7 +55,7 @@ void draw_stem(Canvas& canvas, const StemSliceData& data, const SliceScale& scal
   if (std::isfinite(stem.lo_m + stem.hi_m) && stem.hi_m > 0)
     canvas.ring(scale.to_sheet(stem.centre), std::max(0.0, stem.lo_m * scale.mm_per_metre),
                 stem.hi_m * scale.mm_per_metre, color.with_alpha(0.25));
-  draw_circle(canvas, scale, stem, Stroke{color, 0.4});
+  draw_slice_circle(canvas, scale, stem, Stroke{color, 0.4});
   canvas.cross(scale.to_sheet(stem.centre), 1.1, Stroke{color, 0.3});
 }
 
@@ -99,10 +99,10 @@ Figure stem_slice(const StemSliceData& data, double width_mm, double height_mm) 
                   scale.middle_mm.y() + half};
     {
       const auto clip = canvas.clip(box);
-      draw_points(canvas, data, scale);
+      draw_slice_points(canvas, data, scale);
       draw_band(canvas, data, scale);
       for (const auto& neighbour : data.neighbours) {
-        draw_circle(canvas, scale, neighbour, Stroke{ink::muted, 0.25});
+        draw_slice_circle(canvas, scale, neighbour, Stroke{ink::muted, 0.25});
         TextStyle label{6.5, ink::muted};
         label.halo_mm = 0.4;
         canvas.text(scale.to_sheet(neighbour.centre), std::to_string(neighbour.tree_id),
@@ -110,10 +110,10 @@ Figure stem_slice(const StemSliceData& data, double width_mm, double height_mm) 
       }
       if (data.stem) draw_stem(canvas, data, scale);
       if (data.drawn) {
-        draw_circle(canvas, scale, *data.drawn, Stroke{hand, 0.25, {1.2, 0.9}});
+        draw_slice_circle(canvas, scale, *data.drawn, Stroke{hand, 0.25, {1.2, 0.9}});
         canvas.cross(scale.to_sheet(data.drawn->centre), 1.1, Stroke{hand, 0.25});
       }
-      if (data.refit) draw_circle(canvas, scale, *data.refit, Stroke{hand, 0.5});
+      if (data.refit) draw_slice_circle(canvas, scale, *data.refit, Stroke{hand, 0.5});
     }
     canvas.rectangle(box, {}, Stroke{hex(0xc9d0d5), 0.2});
     draw_scale_bar(canvas, {box.x0 + 3, box.y1 - 2}, scale.mm_per_metre, 0.3 * box.width(), 0.4);

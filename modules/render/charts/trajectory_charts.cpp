@@ -154,7 +154,7 @@ void draw_overlay(Canvas& canvas, const Overlay& o, const Frame& frame) {
 
 constexpr double error_height_mm = 62;
 
-void draw_errors(Canvas& canvas, const ErrorCurve& e, double top_mm) {
+void draw_error_curve(Canvas& canvas, const ErrorCurve& e, double top_mm) {
   const Interval x = {0, e.way_m.empty() ? 1 : std::max(e.way_m.back(), 0.1)},
                  y = nice_interval({0, std::max(0.1, 1.05 * e.max_cm)}, 5);
   const Frame frame{
@@ -241,7 +241,7 @@ Figure trajectory_error_chart(const TrajectoryComparison& comparison, double wid
   Figure figure{"trajectory_error", "Error along the way", error_caption, width_mm, error_height_mm, true, {}};
   auto errors = errors_of(comparison);
   errors.max_cm = std::max(errors.max_cm, min_top_cm);
-  figure.draw = [errors = std::move(errors)](Canvas& canvas) { draw_errors(canvas, errors, 0); };
+  figure.draw = [errors = std::move(errors)](Canvas& canvas) { draw_error_curve(canvas, errors, 0); };
   return figure;
 }
 
@@ -259,7 +259,7 @@ Figure trajectory_sheet(const TrajectoryComparison& comparison, double width_mm)
                 {}};
   figure.draw = [overlay = std::move(overlay), frame, errors = errors_of(comparison), top_mm](Canvas& canvas) {
     draw_overlay(canvas, overlay, frame);
-    draw_errors(canvas, errors, top_mm);
+    draw_error_curve(canvas, errors, top_mm);
   };
   return figure;
 }

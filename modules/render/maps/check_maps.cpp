@@ -70,7 +70,7 @@ std::optional<Panel> panel_of(const Table* table, const Measure& measure, bool o
   return panel;
 }
 
-Points points_of(const Table* table) {
+Points points_if_any(const Table* table) {
   Points points;
   if (table == nullptr) return points;
   const auto x = numbers_or_nan(*table, "x_m"), y = numbers_or_nan(*table, "y_m");
@@ -78,10 +78,10 @@ Points points_of(const Table* table) {
   return points;
 }
 
-std::vector<Mark> marks_of(const Table* findings) {
+std::vector<Mark> finding_marks(const Table* findings) {
   std::vector<Mark> marks;
   if (findings == nullptr) return marks;
-  const auto at = points_of(findings);
+  const auto at = points_if_any(findings);
   const auto severity = texts_or_empty(*findings, "severity");
   for (std::size_t i = 0; i < at.size(); ++i)
     if (at[i].allFinite())
@@ -89,14 +89,14 @@ std::vector<Mark> marks_of(const Table* findings) {
   return marks;
 }
 
-Sheet sheet_of(const CheckMapsData& data) {
+Sheet check_sheet(const CheckMapsData& data) {
   Sheet s;
   s.north_known = data.north_known;
   for (const auto& m : cell_measures)
     if (auto panel = panel_of(data.cells, m, false)) s.panels.push_back(std::move(*panel));
   for (const auto& m : stem_measures)
     if (auto panel = panel_of(data.stems, m, true)) s.panels.push_back(std::move(*panel));
-  const auto cells = points_of(data.cells);
+  const auto cells = points_if_any(data.cells);
   if (cells.empty() || s.panels.empty()) throw bad_input("the check has no cell with a measure", "one at least");
   if (const auto it = data.cells->facts.find("cell_m"); it != data.cells->facts.end())
     s.cell_m = number_from_text(it->second).value_or(1);
@@ -106,8 +106,8 @@ Sheet sheet_of(const CheckMapsData& data) {
   s.x = {low.x() - margin, high.x() + margin};
   s.y = {low.y() - margin, high.y() + margin};
   s.outline = data.area.outline();
-  s.stems = points_of(data.stems);
-  s.marks = marks_of(data.findings);
+  s.stems = points_if_any(data.stems);
+  s.marks = finding_marks(data.findings);
   if (data.trajectory != nullptr)
     for (const auto& pose : data.trajectory->poses)
       if (const Eigen::Vector2d p = pose.T_target_sensor.translation().head<2>();
@@ -119,7 +119,7 @@ Sheet sheet_of(const CheckMapsData& data) {
 constexpr double title_mm = 6, gap_mm = 3, bar_mm = 14;
 constexpr std::size_t per_row = 2;
 
-Frame frame_of(const Sheet& s, std::size_t i, double width_mm) {
+Frame panel_frame(const Sheet& s, std::size_t i, double width_mm) {
   const double column = width_mm / per_row, w = column - axis_space_left_mm - bar_mm - gap_mm;
   const double h = w * std::clamp(s.y.length() / s.x.length(), 0.3, 1.6);
   const std::size_t row = i / per_row;
@@ -185,8 +185,8 @@ void draw_panel(Canvas& canvas, const Sheet& s, const Panel& panel, const Frame&
 }  // namespace
 
 Figure check_maps(const CheckMapsData& data, double width_mm) {
-  auto sheet = sheet_of(data);
-  const auto last = frame_of(sheet, sheet.panels.size() - 1, width_mm);
+  auto sheet = check_sheet(data);
+  const auto last = panel_frame(sheet, sheet.panels.size() - 1, width_mm);
   Figure figure{"check_maps",
                 check_maps_title,
                 "One map per measure; dark is what to look at, white was not measured. Blue line: the walk; dots: "
@@ -197,7 +197,7 @@ Figure check_maps(const CheckMapsData& data, double width_mm) {
                 {}};
   figure.draw = [sheet = std::move(sheet), width_mm](Canvas& canvas) {
     for (std::size_t i = 0; i < sheet.panels.size(); ++i)
-      draw_panel(canvas, sheet, sheet.panels[i], frame_of(sheet, i, width_mm));
+      draw_panel(canvas, sheet, sheet.panels[i], panel_frame(sheet, i, width_mm));
   };
   return figure;
 }

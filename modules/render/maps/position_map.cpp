@@ -29,7 +29,7 @@ struct PositionMap {
   double enlarge = 1;
 };
 
-MarkSeries marks_of(const MatchGroup& group, std::map<std::pair<double, double>, int>& reference) {
+MarkSeries match_marks(const MatchGroup& group, std::map<std::pair<double, double>, int>& reference) {
   MarkSeries series{group.name, group.color, {}};
   const auto& m = *group.matches;
   const auto kind = texts_or_empty(m, "kind");
@@ -107,7 +107,7 @@ Figure position_map(const std::vector<MatchGroup>& runs, const PlotArea& area, d
   PositionMap map;
   std::map<std::pair<double, double>, int> reference;
   MapExtent extent;
-  for (const auto& group : runs) map.runs.push_back(marks_of(group, reference));
+  for (const auto& group : runs) map.runs.push_back(match_marks(group, reference));
   for (const auto& [at, one] : reference) map.reference.emplace_back(at.first, at.second);
   map.outline = area.outline();
   for (const auto* points : {&map.reference, &map.outline})

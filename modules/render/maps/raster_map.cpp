@@ -106,7 +106,7 @@ void add_contours(const Raster& r, const Cells& c, double level, RasterSheet& sh
     }
 }
 
-RasterSheet sheet_of(const RasterMapData& data, RasterKind kind) {
+RasterSheet raster_sheet(const RasterMapData& data, RasterKind kind) {
   if (data.raster == nullptr || data.raster->values.empty()) throw bad_input("there is no raster", "a raster");
   const auto& r = *data.raster;
   const auto cells = cells_shown(r, data.area);
@@ -133,7 +133,7 @@ RasterSheet sheet_of(const RasterMapData& data, RasterKind kind) {
   return s;
 }
 
-Frame frame_of(const RasterSheet& s, double width_mm) {
+Frame raster_frame(const RasterSheet& s, double width_mm) {
   const double w = width_mm - axis_space_left_mm - side_mm, h = w * std::clamp(s.y.length() / s.x.length(), 0.3, 1.5);
   return {{axis_space_left_mm, top_mm, axis_space_left_mm + w, top_mm + h}, s.x, s.y};
 }
@@ -165,8 +165,8 @@ void draw_sheet(Canvas& canvas, const RasterSheet& s, const Frame& frame) {
 }  // namespace
 
 Figure raster_map(const RasterMapData& data, RasterKind kind, double width_mm) {
-  auto sheet = sheet_of(data, kind);
-  const auto frame = frame_of(sheet, width_mm);
+  auto sheet = raster_sheet(data, kind);
+  const auto frame = raster_frame(sheet, width_mm);
   const bool canopy = kind == RasterKind::canopy;
   Figure figure{canopy ? "canopy" : "terrain",
                 canopy ? "Canopy height" : "Terrain",

@@ -54,7 +54,7 @@ Content content_of(const RowMapData& data) {
   return c;
 }
 
-Frame frame_of(const Content& c, double width_mm) {
+Frame row_map_frame(const Content& c, double width_mm) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Eigen::Vector2d lo(inf, inf), hi(-inf, -inf);
   for (const auto* points : {&c.present, &c.missing, &c.strays})
@@ -97,7 +97,7 @@ double dot_mm(const Points& plants_on_sheet) {
   return std::clamp(0.5 * *tenth, 0.35, 1.4);
 }
 
-void draw(Canvas& canvas, const Content& c, const Frame& frame) {
+void draw_row_map(Canvas& canvas, const Content& c, const Frame& frame) {
   AxesStyle axes;
   axes.x_label = c.north_known ? "East (m)" : "x (m)";
   axes.y_label = c.north_known ? "North (m)" : "y (m)";
@@ -133,7 +133,7 @@ void draw(Canvas& canvas, const Content& c, const Frame& frame) {
 
 Figure row_map(const RowMapData& data, double width_mm) {
   auto content = content_of(data);
-  const auto frame = frame_of(content, width_mm);
+  const auto frame = row_map_frame(content, width_mm);
   Figure figure;
   figure.name = "row_map";
   figure.title = "Row map";
@@ -141,7 +141,7 @@ Figure row_map(const RowMapData& data, double width_mm) {
       "Plants, the lines of their rows with the row ids, places where a plant is missing, and plants in no row.";
   figure.width_mm = width_mm;
   figure.height_mm = frame.box.y1 + row_margin_below + row_furniture_mm;
-  figure.draw = [content = std::move(content), frame](Canvas& canvas) { draw(canvas, content, frame); };
+  figure.draw = [content = std::move(content), frame](Canvas& canvas) { draw_row_map(canvas, content, frame); };
   return figure;
 }
 

@@ -67,7 +67,7 @@ std::vector<LegendEntry> legend_of(const StemMapContent& content) {
   return entries;
 }
 
-void draw(Canvas& canvas, const StemMapContent& content, const Frame& frame) {
+void draw_stem_map(Canvas& canvas, const StemMapContent& content, const Frame& frame) {
   AxesStyle axes;
   axes.x_label = content.north_known ? "East (m)" : "x (m)";
   axes.y_label = content.north_known ? "North (m)" : "y (m)";
@@ -116,7 +116,7 @@ Figure stem_map(const StemMapData& data, double width_mm) {
         " " + std::to_string(all - content.stems.size()) + " stems further outside the plot are not shown.";
   figure.width_mm = width_mm;
   figure.height_mm = frame.box.y1 + margin_below + furniture_mm;
-  figure.draw = [content = std::move(content), frame](Canvas& canvas) { draw(canvas, content, frame); };
+  figure.draw = [content = std::move(content), frame](Canvas& canvas) { draw_stem_map(canvas, content, frame); };
   return figure;
 }
 

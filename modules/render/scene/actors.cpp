@@ -16,12 +16,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/scene/point_paint.h"
+
 namespace bole::render {
 namespace {
-
-const Color ground_grey = hex(0xb9b1a4);
-constexpr double ground_below_m = 0.08,
-                 plants_above_m = 0.5;  // heights between which the grey of the ground gives way to the map
 
 constexpr int sides = 20;  // of a stem's cross-section
 

@@ -7,9 +7,7 @@
 namespace bole::render {
 namespace {
 
-const Color ground_grey = hex(0xb9b1a4);
-constexpr double ground_below_m = 0.08, plants_above_m = 0.5;  // between which the grey of the ground gives way
-constexpr std::size_t sampled = 50'000;                        // values that percentiles are taken of
+constexpr std::size_t sampled = 50'000;  // values that percentiles are taken of
 constexpr std::size_t map_steps = 1024;
 
 bool is_id(std::string_view name) {

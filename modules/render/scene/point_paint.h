@@ -12,6 +12,10 @@
 
 namespace bole::render {
 
+inline const Color ground_grey = hex(0xb9b1a4);
+// Heights between which the grey of the ground gives way to the map.
+inline constexpr double ground_below_m = 0.08, plants_above_m = 0.5;
+
 struct PointPaint {
   enum class Kind { map, ids, photo, plain };
   std::string array;  // a column, or "z"

@@ -100,15 +100,15 @@ constexpr std::array<Display, 5> class_columns{{{"trees", "Trees", 0},
                                                 {"bias", "DBH bias (cm)", 2},
                                                 {"rmse", "DBH RMSE (cm)", 2}}};
 
-struct Measure {
+struct EvaluationMeasure {
   std::string name, unit, published;
   double value = 0;
   bool told = false;
 };
 
-class Section {
+class EvaluationSection {
  public:
-  Section(const Table& summary, bool poses_given) : poses_given_(poses_given) {
+  EvaluationSection(const Table& summary, bool poses_given) : poses_given_(poses_given) {
     if (const auto it = summary.facts.find("published"); it != summary.facts.end())
       published_heading_ += ": " + it->second;
     const auto name = texts_or_empty(summary, "measure"), unit = texts_or_empty(summary, "unit"),
@@ -131,12 +131,12 @@ class Section {
   }
 
  private:
-  Measure* find(const std::string& name) {
+  EvaluationMeasure* find(const std::string& name) {
     const auto it = at_.find(name);
     return it == at_.end() ? nullptr : &measures_[it->second];
   }
 
-  std::string value_text(const Measure& m, int decimals) const {
+  std::string value_text(const EvaluationMeasure& m, int decimals) const {
     const auto text = render::fixed(m.value, decimals);
     const bool of_the_walk = m.name.starts_with("ate") || m.name.starts_with("rotation_error") ||
                              m.name.starts_with("rpe") || m.name == "end_error" || m.name == "drift";
@@ -161,7 +161,7 @@ class Section {
     return table_of(group.title, rows);
   }
 
-  static std::string published_text(const Measure& m) {
+  static std::string published_text(const EvaluationMeasure& m) {
     return m.published.starts_with('-') ? "\u2212" + m.published.substr(1) : m.published;
   }
 
@@ -170,7 +170,7 @@ class Section {
     HtmlTable table{{{heading}}, {}, false};
     for (const auto& c : class_columns) table.columns.push_back({std::string(c.title), true});
     const std::string first = "_" + std::string(class_columns[0].measure);
-    for (const auto& m : std::vector<Measure>(measures_)) {
+    for (const auto& m : std::vector<EvaluationMeasure>(measures_)) {
       if (!m.name.starts_with(prefix) || m.name.find("_to_") == std::string::npos || !m.name.ends_with(first)) continue;
       const auto family = m.name.substr(0, m.name.size() - first.size());
       std::vector<std::string> row{class_name(family.substr(prefix.size()))};
@@ -223,7 +223,7 @@ class Section {
     return table_of("Other measures", rows);
   }
 
-  std::vector<Measure> measures_;
+  std::vector<EvaluationMeasure> measures_;
   std::map<std::string, std::size_t> at_;
   bool poses_given_;
   std::string published_heading_ = "Published";  // with the system and the plot
@@ -231,10 +231,10 @@ class Section {
 
 }  // namespace
 
-std::string evaluation_html(const Table& summary) { return Section(summary, false).trees_html(); }
+std::string evaluation_html(const Table& summary) { return EvaluationSection(summary, false).trees_html(); }
 
 std::string walk_evaluation_html(const Table& summary, bool poses_given) {
-  return Section(summary, poses_given).walk_html();
+  return EvaluationSection(summary, poses_given).walk_html();
 }
 
 }  // namespace bole::report

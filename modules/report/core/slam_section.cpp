@@ -28,7 +28,7 @@ constexpr std::array<Part, 9> parts{{{"read_per_frame", "Reading"},
                                      {"adjustment_per_frame", "Final adjustment"},
                                      {"map_per_frame", "Dense map"}}};
 
-struct Measure {
+struct SlamMeasure {
   const char* metric;
   const char* title;
   const char* unit;
@@ -36,7 +36,7 @@ struct Measure {
   double factor;  // from the metric's unit to the shown one
 };
 
-constexpr std::array<Measure, 8> measures{
+constexpr std::array<SlamMeasure, 8> measures{
     {{"overlap", "Points of a frame that agree with the map, mean", "%", 1, 1},
      {"registration_rms", "Residual of the registration", "cm", 1, 100},
      {"sigma0", "Residuals of the adjustment by their expected size, mean (1: as expected)", "", 2, 1},
@@ -46,9 +46,9 @@ constexpr std::array<Measure, 8> measures{
      {"adjustment_rms_last", "Residual after the final adjustment", "cm", 1, 100},
      {"level_sigma", "Standard deviation of the vertical, by the inertial unit", "deg", 2, 1}}};
 
-class Section {
+class SlamSection {
  public:
-  Section(const StageRecord& stage, const Table* loops, const Table* odometry, Report& told)
+  SlamSection(const StageRecord& stage, const Table* loops, const Table* odometry, Report& told)
       : r_(stage.report), loops_(loops), odometry_(odometry), told_(told) {}
 
   std::string html() { return frames() + times() + loops(); }
@@ -153,7 +153,7 @@ class Section {
 std::string slam_html(const StageRecord& stage, const Table* loops, const Table* odometry, Report& told) {
   const bool tracked_frames = stage.report.counts.contains("frames_failed");
   if (!tracked_frames || stage.report.facts.contains("trajectory")) return {};
-  return Section(stage, loops, odometry, told).html();
+  return SlamSection(stage, loops, odometry, told).html();
 }
 
 }  // namespace bole::report

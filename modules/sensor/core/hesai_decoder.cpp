@@ -6,6 +6,7 @@
 
 #include "base/angles.h"
 #include "base/error.h"
+#include "sensor/core/little_endian.h"
 
 namespace bole::sensor {
 namespace {
@@ -14,7 +15,6 @@ constexpr std::array layouts{
     HesaiLayout{"pandar_xt32", 1080, 4, 12, 130, 2, 0, 4, 8, 32, 1062, 1065, 1071, -5.632e-6, -5.72e-6},
     HesaiLayout{"pandar40p", 1262, 4, 0, 124, 4, 2, 3, 10, 40, 1254, 1256, 1250, 83.25e-6, 54.67e-6}};
 constexpr double metres_per_count = 0.004;
-constexpr double full_turn = 36000;
 
 enum HesaiReturn : std::uint8_t {
   strongest = 0x37,
@@ -25,17 +25,13 @@ enum HesaiReturn : std::uint8_t {
   first = 0x33
 };
 
-std::size_t get16(std::span<const std::uint8_t> p, std::size_t at) {
-  return static_cast<std::size_t>(p[at] | p[at + 1] << 8);
-}
-
 bool starts_xt32(std::span<const std::uint8_t> p) {
   return p[0] == 0xEE && p[1] == 0xFF && p[2] == 0x06 && p[6] == 32 && p[7] == 8 && p[9] == 4;
 }
 
 bool starts_40p(std::span<const std::uint8_t> p) {
   for (std::size_t block = 0; block < 10; ++block)
-    if (get16(p, 124 * block) != 0xEEFF) return false;
+    if (little16(p, 124 * block) != 0xEEFF) return false;
   return true;
 }
 
@@ -108,8 +104,8 @@ bool HesaiPackets::take(std::span<const std::uint8_t> payload) {
   if (hesai_layout(payload) != layout_) return false;
   packet_.assign(payload.begin(), payload.end());
   const auto* p = packet_.data() + layout_->date_at;  // year, month, day, hour, minute, second
-  const std::int64_t stamp_us = static_cast<std::int64_t>(get16(packet_, layout_->time_us_at)) +
-                                (static_cast<std::int64_t>(get16(packet_, layout_->time_us_at + 2)) << 16);
+  const std::int64_t stamp_us = static_cast<std::int64_t>(little16(packet_, layout_->time_us_at)) +
+                                (static_cast<std::int64_t>(little16(packet_, layout_->time_us_at + 2)) << 16);
   const int firings = layout_->blocks / blocks_per_firing();
   const double first_s = (firings - 1) * firing_period_s() + layout_->stamp_after_last_firing_s;
   constexpr std::int64_t hour_us = 3'600'000'000;
@@ -139,15 +135,15 @@ std::size_t HesaiPackets::unit_at(int block, int laser) const {
 void HesaiPackets::firings(std::vector<VelodyneFiring>& out) const {
   out.clear();
   for (int b = 0; b + blocks_per_firing() <= layout_->blocks; b += blocks_per_firing()) {
-    const auto azimuth = get16(
+    const auto azimuth = little16(
         packet_, layout_->first_block + static_cast<std::size_t>(b) * layout_->block_bytes + layout_->azimuth_in_block);
-    out.push_back(
-        {b, azimuth < full_turn, static_cast<double>(azimuth), 0, static_cast<double>(out.size()) * firing_period_s()});
+    out.push_back({b, azimuth < full_turn_centideg, static_cast<double>(azimuth), 0,
+                   static_cast<double>(out.size()) * firing_period_s()});
   }
   beams_.set_advances(firing_period_s(), out);
   for (auto& f : out) {
     f.azimuth_centideg -= f.advance_centideg * layout_->azimuth_after_start_s / firing_period_s();
-    f.azimuth_centideg -= full_turn * std::floor(f.azimuth_centideg / full_turn);
+    f.azimuth_centideg -= full_turn_centideg * std::floor(f.azimuth_centideg / full_turn_centideg);
   }
 }
 
@@ -161,7 +157,7 @@ void HesaiPackets::decode(const std::vector<VelodyneFiring>& firings, std::size_
     if (!firing.valid) continue;
     for (int laser = 0; laser < layout_->lasers; ++laser) {
       const auto add = [&](std::size_t at, std::uint8_t number) {
-        if (const auto counts = get16(packet_, at); counts > 0)
+        if (const auto counts = little16(packet_, at); counts > 0)
           beams_.append(static_cast<float>(static_cast<double>(counts) * metres_per_count), packet_[at + 2],
                         static_cast<std::size_t>(laser), firing, firing_period_s(), 0, static_cast<std::uint8_t>(f),
                         number, out);
@@ -173,7 +169,7 @@ void HesaiPackets::decode(const std::vector<VelodyneFiring>& firings, std::size_
       }
       const auto two = unit_at(firing.first_block + 1, laser);
       add(two, 1);
-      if (get16(packet_, one) != get16(packet_, two)) add(one, get16(packet_, two) == 0 ? 1 : 2);
+      if (little16(packet_, one) != little16(packet_, two)) add(one, little16(packet_, two) == 0 ? 1 : 2);
     }
   }
 }

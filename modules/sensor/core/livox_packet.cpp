@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sensor/core/little_endian.h"
+
 namespace bole::sensor {
 namespace {
 
@@ -15,8 +17,6 @@ std::uint32_t little32(Bytes p, std::size_t at) {
   return static_cast<std::uint32_t>(p[at]) | static_cast<std::uint32_t>(p[at + 1]) << 8 |
          static_cast<std::uint32_t>(p[at + 2]) << 16 | static_cast<std::uint32_t>(p[at + 3]) << 24;
 }
-
-std::uint16_t little16(Bytes p, std::size_t at) { return static_cast<std::uint16_t>(p[at] | p[at + 1] << 8); }
 
 double little_float(Bytes p, std::size_t at) { return std::bit_cast<float>(little32(p, at)); }
 

@@ -29,7 +29,7 @@ const json* find(const json& root, const char* key) {
   return nullptr;
 }
 
-std::vector<double> numbers(const json& value, const char* key, double limit) {
+std::vector<double> ouster_numbers(const json& value, const char* key, double limit) {
   std::vector<double> out;
   const auto refuse = [&](const std::string& found) {
     throw bad_input("'" + std::string(key) + "' " + found, "a list of numbers up to +-" + std::to_string(limit));
@@ -45,7 +45,7 @@ std::vector<double> numbers(const json& value, const char* key, double limit) {
 std::vector<double> required_numbers(const json& root, const char* key, double limit) {
   const auto* value = find(root, key);
   if (value == nullptr) throw bad_input("'" + std::string(key) + "' is absent", "the JSON file of an Ouster sensor");
-  return numbers(*value, key, limit);
+  return ouster_numbers(*value, key, limit);
 }
 
 int integer(const json& root, const char* key, int otherwise, int min, int max) {
@@ -57,7 +57,7 @@ int integer(const json& root, const char* key, int otherwise, int min, int max) 
   return static_cast<int>(value->get<double>());
 }
 
-std::string text(const json& root, const char* key) {
+std::string ouster_text(const json& root, const char* key) {
   const auto* value = find(root, key);
   return value != nullptr && value->is_string() ? value->get<std::string>() : std::string();
 }
@@ -66,7 +66,7 @@ std::string text(const json& root, const char* key) {
 Pose pose(const json& root, const char* key, const Pose& otherwise) {
   const auto* value = find(root, key);
   if (value == nullptr) return otherwise;
-  const auto entries = numbers(*value, key, 1e6);
+  const auto entries = ouster_numbers(*value, key, 1e6);
   if (entries.size() != 16)
     throw bad_input("'" + std::string(key) + "' has " + std::to_string(entries.size()) + " numbers", "16");
   Pose out = Pose::Identity();
@@ -156,7 +156,7 @@ void read_beam_origin(const json& root, bool generation_1, OusterMetadata& out) 
   constexpr double generation_1_mm = 12.163;
   const auto* matrix = find(root, "beam_to_lidar_transform");
   if (matrix != nullptr) {
-    const auto entries = numbers(*matrix, "beam_to_lidar_transform", 1e6);
+    const auto entries = ouster_numbers(*matrix, "beam_to_lidar_transform", 1e6);
     if (entries.size() != 16)
       throw bad_input("'beam_to_lidar_transform' has " + std::to_string(entries.size()) + " numbers", "16");
     out.beam_origin_forward_m = 1e-3 * entries[3];
@@ -175,7 +175,7 @@ void read_window(const json& root, OusterMetadata& out) {
   out.last_column = out.columns_per_frame - 1;
   const auto* window = find(root, "column_window");
   if (window == nullptr) return;
-  const auto ends = numbers(*window, "column_window", 65535);
+  const auto ends = ouster_numbers(*window, "column_window", 65535);
   if (ends.size() != 2 || std::ranges::any_of(ends, [&](double e) { return e < 0 || e >= out.columns_per_frame; }))
     throw bad_input("'column_window' is " + window->dump().substr(0, 40),
                     "two columns from 0 to " + std::to_string(out.columns_per_frame - 1));
@@ -218,7 +218,7 @@ OusterMetadata parse_ouster_metadata(std::string_view file) {
                     "one beam per pixel of a column");
 
   OusterMetadata out;
-  const auto product = text(root, "prod_line");
+  const auto product = ouster_text(root, "prod_line");
   auto series = series_of(product);
   const auto [low, high] = std::ranges::minmax(elevations);
   out.series_assumed = !series;
@@ -227,18 +227,18 @@ OusterMetadata parse_ouster_metadata(std::string_view file) {
   out.model = series_model(*series, lines, generation_1);
   if (!product.empty()) out.model.name = product;
   set_beams(out.model, elevations, azimuths);
-  read_mode(text(root, "lidar_mode"), out);
+  read_mode(ouster_text(root, "lidar_mode"), out);
   out.columns_per_frame = integer(root, "columns_per_frame", out.columns_per_frame, 16, 8192);
   out.columns_per_packet = integer(root, "columns_per_packet", 16, 1, 128);
   out.model.sequence_period_s = 1 / (out.model.rotation_hz * out.columns_per_frame);
   read_window(root, out);
-  out.profile = profile_of(text(root, "udp_profile_lidar"));
+  out.profile = profile_of(ouster_text(root, "udp_profile_lidar"));
   read_beam_origin(root, generation_1, out);
   out.T_sensor_lidar = pose(root, "lidar_to_sensor_transform", usual_T_sensor_lidar());
   out.T_sensor_imu = pose(root, "imu_to_sensor_transform", usual_T_sensor_imu());
-  const auto imu_profile = text(root, "udp_profile_imu");
+  const auto imu_profile = ouster_text(root, "udp_profile_imu");
   out.legacy_imu = imu_profile.empty() || imu_profile == "LEGACY";
-  const auto serial = text(root, "prod_sn");
+  const auto serial = ouster_text(root, "prod_sn");
   if (std::uint64_t number = 0; !serial.empty() && std::ranges::all_of(serial, [](char c) {
         return c >= '0' && c <= '9';
       }) && std::from_chars(serial.data(), serial.data() + serial.size(), number).ec == std::errc{})

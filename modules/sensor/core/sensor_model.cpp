@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t max_channels = 256;
 
-double number(const nlohmann::json& json, const char* key, double min, double max) {
+double json_number(const nlohmann::json& json, const char* key, double min, double max) {
   const auto it = json.find(key);
   if (it == json.end())
     throw bad_input("'" + std::string(key) + "' is absent",
@@ -29,14 +29,15 @@ double number(const nlohmann::json& json, const char* key, double min, double ma
   return it->get<double>();
 }
 
-std::string text(const nlohmann::json& json, const char* key, const std::string& otherwise) {
+std::string json_text(const nlohmann::json& json, const char* key, const std::string& otherwise) {
   const auto it = json.find(key);
   if (it == json.end()) return otherwise;
   if (!it->is_string()) throw bad_input("'" + std::string(key) + "' is " + it->dump(), "a text");
   return it->get<std::string>();
 }
 
-std::vector<double> numbers(const nlohmann::json& json, const char* key, std::size_t count, double min, double max) {
+std::vector<double> json_numbers(const nlohmann::json& json, const char* key, std::size_t count, double min,
+                                 double max) {
   const auto it = json.find(key);
   if (it == json.end() || !it->is_array())
     throw bad_input("'" + std::string(key) + "' is not a list", "one number per laser, in the order of the packet");
@@ -55,9 +56,9 @@ std::vector<double> numbers(const nlohmann::json& json, const char* key, std::si
 }
 
 std::vector<LaserChannel> channels_from(const nlohmann::json& json, double sequence_period_us) {
-  const auto elevations = numbers(json, "elevation_deg", 0, -90, 90);
-  const auto offsets = numbers(json, "azimuth_offset_deg", elevations.size(), -180, 180);
-  const auto times = numbers(json, "firing_time_us", elevations.size(), 0, sequence_period_us);
+  const auto elevations = json_numbers(json, "elevation_deg", 0, -90, 90);
+  const auto offsets = json_numbers(json, "azimuth_offset_deg", elevations.size(), -180, 180);
+  const auto times = json_numbers(json, "firing_time_us", elevations.size(), 0, sequence_period_us);
   std::vector<std::size_t> by_elevation(elevations.size());
   std::iota(by_elevation.begin(), by_elevation.end(), std::size_t{0});
   std::ranges::stable_sort(by_elevation, {}, [&](std::size_t i) { return elevations[i]; });
@@ -71,24 +72,24 @@ std::vector<LaserChannel> channels_from(const nlohmann::json& json, double seque
 
 Rosette rosette_from(const nlohmann::json& json) {
   Rosette out;
-  out.points_per_s = number(json, "points_per_s", 1, 1e8);
-  out.beams = static_cast<int>(number(json, "beams", 1, 1000));
-  out.horizontal_fov_rad = number(json, "horizontal_fov_deg", 0.1, 360) * rad_per_deg;
-  const double min_deg = number(json, "min_elevation_deg", -90, 90);
+  out.points_per_s = json_number(json, "points_per_s", 1, 1e8);
+  out.beams = static_cast<int>(json_number(json, "beams", 1, 1000));
+  out.horizontal_fov_rad = json_number(json, "horizontal_fov_deg", 0.1, 360) * rad_per_deg;
+  const double min_deg = json_number(json, "min_elevation_deg", -90, 90);
   out.min_elevation_rad = min_deg * rad_per_deg;
-  out.max_elevation_rad = number(json, "max_elevation_deg", min_deg, 90) * rad_per_deg;
+  out.max_elevation_rad = json_number(json, "max_elevation_deg", min_deg, 90) * rad_per_deg;
   return out;
 }
 
 void read_pattern(const nlohmann::json& json, SensorModel& model) {
-  const auto pattern = text(json, "pattern", "lines");
+  const auto pattern = json_text(json, "pattern", "lines");
   if (pattern != "lines" && pattern != "rosette") throw bad_input("'pattern' is '" + pattern + "'", "lines or rosette");
   if (pattern == "rosette") {
     model.rosette = rosette_from(json);
     model.sequence_period_s = model.rosette->beams / model.rosette->points_per_s;
     return;
   }
-  const double period_us = number(json, "sequence_period_us", 1, 1e6);
+  const double period_us = json_number(json, "sequence_period_us", 1, 1e6);
   model.sequence_period_s = period_us * 1e-6;
   model.channels = channels_from(json, period_us);
 }
@@ -101,7 +102,7 @@ bool flag(const nlohmann::json& json, const char* key) {
 }
 
 void read_packet_format(const nlohmann::json& json, SensorModel& model) {
-  const auto format = text(json, "packet", "none");
+  const auto format = json_text(json, "packet", "none");
   if (format == "none") return;
   if (format == "hesai") {
     model.packet = PacketFormat::hesai;
@@ -109,8 +110,9 @@ void read_packet_format(const nlohmann::json& json, SensorModel& model) {
   }
   if (format != "velodyne") throw bad_input("'packet' is '" + format + "'", "velodyne, hesai or none");
   model.packet = PacketFormat::velodyne;
-  model.sequences_per_block = static_cast<int>(number(json, "sequences_per_block", 1, 2));
-  if (json.contains("product_id")) model.product_id = static_cast<std::uint8_t>(number(json, "product_id", 0, 255));
+  model.sequences_per_block = static_cast<int>(json_number(json, "sequences_per_block", 1, 2));
+  if (json.contains("product_id"))
+    model.product_id = static_cast<std::uint8_t>(json_number(json, "product_id", 0, 255));
   const auto lasers = model.channels.size();
   if (!(lasers == 16 && model.sequences_per_block == 2) &&
       !((lasers == 32 || lasers == 64 || lasers == 128) && model.sequences_per_block == 1))
@@ -151,20 +153,20 @@ SensorModel sensor_model_from_json(const nlohmann::json& json, std::string id) {
   if (!json.is_object())
     throw bad_input("the sensor is not a JSON object", "an object with the entries of resources/sensors/vlp16.json");
   SensorModel model;
-  model.name = text(json, "name", id);
+  model.name = json_text(json, "name", id);
   model.id = std::move(id);
-  model.maker = text(json, "maker", "");
-  model.source = text(json, "source", "");
+  model.maker = json_text(json, "maker", "");
+  model.source = json_text(json, "source", "");
   read_pattern(json, model);
-  model.rotation_hz = number(json, "rotation_hz", 0.1, 100);
-  model.range_quantum_m = number(json, "range_quantum_m", 1e-4, 1);
-  model.min_range_m = number(json, "min_range_m", 0, 100);
-  model.max_range_m = number(json, "max_range_m", model.min_range_m, 10000);
-  model.range_sigma_m = number(json, "range_sigma_m", 0, 10);
-  model.beam_divergence_horizontal_rad = number(json, "beam_divergence_horizontal_mrad", 0, 100) * 1e-3;
-  model.beam_divergence_vertical_rad = number(json, "beam_divergence_vertical_mrad", 0, 100) * 1e-3;
-  model.aperture_horizontal_m = number(json, "aperture_horizontal_mm", 0, 1000) * 1e-3;
-  model.aperture_vertical_m = number(json, "aperture_vertical_mm", 0, 1000) * 1e-3;
+  model.rotation_hz = json_number(json, "rotation_hz", 0.1, 100);
+  model.range_quantum_m = json_number(json, "range_quantum_m", 1e-4, 1);
+  model.min_range_m = json_number(json, "min_range_m", 0, 100);
+  model.max_range_m = json_number(json, "max_range_m", model.min_range_m, 10000);
+  model.range_sigma_m = json_number(json, "range_sigma_m", 0, 10);
+  model.beam_divergence_horizontal_rad = json_number(json, "beam_divergence_horizontal_mrad", 0, 100) * 1e-3;
+  model.beam_divergence_vertical_rad = json_number(json, "beam_divergence_vertical_mrad", 0, 100) * 1e-3;
+  model.aperture_horizontal_m = json_number(json, "aperture_horizontal_mm", 0, 1000) * 1e-3;
+  model.aperture_vertical_m = json_number(json, "aperture_vertical_mm", 0, 1000) * 1e-3;
   model.beam_assumed = flag(json, "beam_assumed");
   model.dual_return = flag(json, "dual_return");
   read_packet_format(json, model);

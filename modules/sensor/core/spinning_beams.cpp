@@ -7,7 +7,6 @@
 namespace bole::sensor {
 namespace {
 
-constexpr int full_turn = 36000;
 constexpr double radians_per_centideg = std::numbers::pi / 18000;
 // A block lasts at most 111 us, in which a rotor at 60 Hz turns by 2.4 degrees. A larger step is a damaged block.
 constexpr double max_advance_centideg = 300;
@@ -19,8 +18,8 @@ struct Direction {
 // Cosine and sine of every hundredth of a degree.
 const std::vector<Direction>& directions() {
   static const std::vector<Direction> table = [] {
-    std::vector<Direction> t(full_turn);
-    for (int i = 0; i < full_turn; ++i)
+    std::vector<Direction> t(full_turn_centideg);
+    for (int i = 0; i < full_turn_centideg; ++i)
       t[static_cast<std::size_t>(i)] = {static_cast<float>(std::cos(i * radians_per_centideg)),
                                         static_cast<float>(std::sin(i * radians_per_centideg))};
     return t;
@@ -31,22 +30,23 @@ const std::vector<Direction>& directions() {
 // A first-order step from the nearest entry; the error is below 4e-9.
 Direction direction(double azimuth_centideg) {
   const double nearest = std::nearbyint(azimuth_centideg);
-  const int wrapped = static_cast<int>(nearest) % full_turn;
-  const auto& d = directions()[static_cast<std::size_t>(wrapped < 0 ? wrapped + full_turn : wrapped)];
+  const int wrapped = static_cast<int>(nearest) % full_turn_centideg;
+  const auto& d = directions()[static_cast<std::size_t>(wrapped < 0 ? wrapped + full_turn_centideg : wrapped)];
   const auto step = static_cast<float>((azimuth_centideg - nearest) * radians_per_centideg);
   return {d.cos - step * d.sin, d.sin + step * d.cos};
 }
 
 double signed_turn(double from_centideg, double to_centideg) {
-  return std::remainder(to_centideg - from_centideg, full_turn);
+  return std::remainder(to_centideg - from_centideg, full_turn_centideg);
 }
 
 // One jump of the azimuth: the time that the rotor takes to pass the masked sector.
 void shift_behind_blind_sector(double mean_advance_centideg, double firing_period_s,
                                std::vector<VelodyneFiring>& firings) {
   for (std::size_t i = 0; i + 1 < firings.size(); ++i) {
-    const double turn = std::fmod(firings[i + 1].azimuth_centideg - firings[i].azimuth_centideg + full_turn, full_turn);
-    if (turn <= max_advance_centideg || turn >= full_turn - max_advance_centideg) continue;
+    const double turn = std::fmod(firings[i + 1].azimuth_centideg - firings[i].azimuth_centideg + full_turn_centideg,
+                                  full_turn_centideg);
+    if (turn <= max_advance_centideg || turn >= full_turn_centideg - max_advance_centideg) continue;
     const double skipped_s = (turn / mean_advance_centideg - 1) * firing_period_s;
     for (std::size_t k = i + 1; k < firings.size(); ++k) firings[k].time_offset_s += skipped_s;
   }
@@ -54,7 +54,8 @@ void shift_behind_blind_sector(double mean_advance_centideg, double firing_perio
 
 }  // namespace
 
-SpinningBeams::SpinningBeams(const SensorModel& model) : usual_rate_centideg_s_(full_turn * model.rotation_hz) {
+SpinningBeams::SpinningBeams(const SensorModel& model)
+    : usual_rate_centideg_s_(full_turn_centideg * model.rotation_hz) {
   for (const auto& c : model.channels)
     beams_.push_back({static_cast<float>(std::cos(c.elevation_rad)), static_cast<float>(std::sin(c.elevation_rad)),
                       c.azimuth_offset_rad / radians_per_centideg, c.firing_time_s, static_cast<std::uint16_t>(c.ring),

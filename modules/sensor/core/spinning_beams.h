@@ -10,6 +10,8 @@
 
 namespace bole::sensor {
 
+inline constexpr int full_turn_centideg = 36000;
+
 struct VelodyneReturn {
   Eigen::Vector3f position;  // sensor axes: x forward, y left, z up, metres
   float range_m = 0;

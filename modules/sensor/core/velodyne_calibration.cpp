@@ -18,7 +18,7 @@ namespace {
 constexpr double metres_per_cm = 0.01;
 
 // The number in a child; files write a dot whatever the locale is.
-double number(const pugi::xml_node& node, const char* name, double limit) {
+double xml_number(const pugi::xml_node& node, const char* name, double limit) {
   const std::string_view text = node.child_value(name);
   double value = 0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -47,15 +47,15 @@ std::string nominal_model(std::size_t lasers, double range_quantum_m) {
 
 // Angles are in degrees, lengths in centimetres.
 void read_laser(const pugi::xml_node& px, LaserChannel& channel) {
-  channel.elevation_rad = number(px, "vertCorrection_", 90) * rad_per_deg;
-  channel.azimuth_offset_rad = -number(px, "rotCorrection_", 180) * rad_per_deg;
+  channel.elevation_rad = xml_number(px, "vertCorrection_", 90) * rad_per_deg;
+  channel.azimuth_offset_rad = -xml_number(px, "rotCorrection_", 180) * rad_per_deg;
   auto& offsets = channel.offsets;
-  offsets.range = number(px, "distCorrection_", 1000) * metres_per_cm;
-  offsets.vertical = number(px, "vertOffsetCorrection_", 100) * metres_per_cm;
-  offsets.horizontal = number(px, "horizOffsetCorrection_", 100) * metres_per_cm;
+  offsets.range = xml_number(px, "distCorrection_", 1000) * metres_per_cm;
+  offsets.vertical = xml_number(px, "vertOffsetCorrection_", 100) * metres_per_cm;
+  offsets.horizontal = xml_number(px, "horizOffsetCorrection_", 100) * metres_per_cm;
   if (px.child("distCorrectionX_").empty()) return;
-  offsets.near_x = number(px, "distCorrectionX_", 1000) * metres_per_cm;
-  offsets.near_y = number(px, "distCorrectionY_", 1000) * metres_per_cm;
+  offsets.near_x = xml_number(px, "distCorrectionX_", 1000) * metres_per_cm;
+  offsets.near_y = xml_number(px, "distCorrectionY_", 1000) * metres_per_cm;
   // Older units have one distance only, and zeros in its place.
   offsets.two_points = offsets.near_x != 0 || offsets.near_y != 0;
 }
@@ -82,13 +82,13 @@ SensorModel velodyne_model_from_xml(std::string_view xml) {
     throw bad_input(std::string("the calibration is no XML: ") + parsed.description(), "the db.xml of a Velodyne unit");
   const auto db = database(document);
   if (db.empty()) throw bad_input("the XML has no <DB> in <boost_serialization>", "the db.xml of a Velodyne unit");
-  const double quantum_m = number(db, "distLSB_", 10) * metres_per_cm;
+  const double quantum_m = xml_number(db, "distLSB_", 10) * metres_per_cm;
   auto model = load_sensor_model(nominal_model(enabled_lasers(db), quantum_m));
   if (quantum_m > 0) model.range_quantum_m = quantum_m;
   std::vector<bool> seen(model.channels.size(), false);
   for (const auto& item : db.child("points_").children("item")) {
     const auto px = item.child("px");
-    const double id = number(px, "id_", 255);
+    const double id = xml_number(px, "id_", 255);
     if (id < 0 || id >= static_cast<double>(seen.size())) continue;  // lasers that the sensor does not have
     const auto laser = static_cast<std::size_t>(id);
     if (seen[laser]) throw bad_input("laser " + std::to_string(laser) + " is there twice", "one entry per laser");

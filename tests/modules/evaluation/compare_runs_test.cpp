@@ -295,7 +295,7 @@ TEST(CompareRuns, AListWithOtherHeadingsIsReadByThem) {
   }
 }
 
-Trajectory walk(double off_m) {
+Trajectory walk_off(double off_m) {
   Trajectory t;
   for (int i = 0; i <= 100; ++i) {
     StampedPose p;
@@ -309,9 +309,9 @@ Trajectory walk(double off_m) {
 TEST(CompareRuns, TrajectoriesAgainstTheReferenceAndEachOther) {
   const auto truth = stand(1);
   auto a = run_of("A", truth, &truth), b = run_of("B", truth, &truth);
-  a.trajectory = walk(0.01);
-  b.trajectory = walk(-0.01);
-  a.reference_trajectory = b.reference_trajectory = walk(0);
+  a.trajectory = walk_off(0.01);
+  b.trajectory = walk_off(-0.01);
+  a.reference_trajectory = b.reference_trajectory = walk_off(0);
   const auto found = compare({a, b});
   EXPECT_NEAR(found.groups.numbers("ate_rmse_m")[0], 0.01, 1e-3);
   EXPECT_NEAR(found.pairs.numbers("ate_rmse_m")[0], 0.02, 2e-3);
@@ -321,8 +321,8 @@ TEST(CompareRuns, TrajectoriesAgainstTheReferenceAndEachOther) {
 TEST(CompareRuns, AnotherClockIsAFinding) {
   const auto truth = stand(1);
   auto a = run_of("A", truth, &truth);
-  a.trajectory = walk(0.01);
-  a.reference_trajectory = walk(0);
+  a.trajectory = walk_off(0.01);
+  a.reference_trajectory = walk_off(0);
   for (auto& p : a.reference_trajectory.poses) p.time_s += 1e9;
   const auto found = compare({a});
   EXPECT_TRUE(std::isnan(found.groups.numbers("ate_rmse_m")[0]));

@@ -13,7 +13,7 @@ namespace {
 using Numbers = std::vector<double>;
 using Texts = std::vector<std::string>;
 
-double measure(const PlantEvaluation& e, const char* name) {
+double plant_measure(const PlantEvaluation& e, const char* name) {
   const auto& names = e.summary.texts("measure");
   const auto at = std::ranges::find(names, name);
   return at == names.end() ? std::numeric_limits<double>::quiet_NaN()
@@ -37,16 +37,16 @@ TEST(EvaluatePlants, AccuracyBiasAndIntervals) {
   t.set("leaf_count", std::vector<std::int64_t>{3, 3, 9, 22});
   t.set("leaf_area_cm2", Numbers{1, 2, 3, 4});
   const auto e = evaluate_plants(t, manual());
-  EXPECT_EQ(measure(e, "height_mm_plants"), 3);
-  EXPECT_NEAR(measure(e, "height_mm_accuracy"), 100 * (1 - (0.01 + 0.02 + 0) / 3), 1e-12);
-  EXPECT_NEAR(measure(e, "height_mm_bias"), 2.0 / 3, 1e-12);
-  EXPECT_NEAR(measure(e, "height_mm_rmse"), std::sqrt(20.0 / 3), 1e-12);
-  EXPECT_NEAR(measure(e, "height_mm_in_interval"), 200.0 / 3, 1e-12);
-  EXPECT_GT(measure(e, "height_mm_r2"), 0.999);
+  EXPECT_EQ(plant_measure(e, "height_mm_plants"), 3);
+  EXPECT_NEAR(plant_measure(e, "height_mm_accuracy"), 100 * (1 - (0.01 + 0.02 + 0) / 3), 1e-12);
+  EXPECT_NEAR(plant_measure(e, "height_mm_bias"), 2.0 / 3, 1e-12);
+  EXPECT_NEAR(plant_measure(e, "height_mm_rmse"), std::sqrt(20.0 / 3), 1e-12);
+  EXPECT_NEAR(plant_measure(e, "height_mm_in_interval"), 200.0 / 3, 1e-12);
+  EXPECT_GT(plant_measure(e, "height_mm_r2"), 0.999);
   // A reference of zero has no relative error.
-  EXPECT_EQ(measure(e, "leaf_count_plants"), 2);
-  EXPECT_NEAR(measure(e, "leaf_count_accuracy"), 90, 1e-12);
-  EXPECT_TRUE(std::isnan(measure(e, "leaf_count_in_interval")));
+  EXPECT_EQ(plant_measure(e, "leaf_count_plants"), 2);
+  EXPECT_NEAR(plant_measure(e, "leaf_count_accuracy"), 90, 1e-12);
+  EXPECT_TRUE(std::isnan(plant_measure(e, "leaf_count_in_interval")));
   EXPECT_EQ(e.plants.rows(), 5u);
 }
 
@@ -55,7 +55,7 @@ TEST(EvaluatePlants, OnePlantNeedsNoName) {
   a.set("plant_id", Texts{"this"});
   a.set("height_mm", Numbers{99});
   b.set("height_mm", Numbers{100});
-  EXPECT_NEAR(measure(evaluate_plants(a, b), "height_mm_accuracy"), 99, 1e-12);
+  EXPECT_NEAR(plant_measure(evaluate_plants(a, b), "height_mm_accuracy"), 99, 1e-12);
 }
 
 TEST(EvaluatePlants, RefusesWhatCannotBeCompared) {

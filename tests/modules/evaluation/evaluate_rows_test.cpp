@@ -9,7 +9,7 @@
 namespace bole::evaluation {
 namespace {
 
-double measure(const RowEvaluation& e, const std::string& name) {
+double row_measure(const RowEvaluation& e, const std::string& name) {
   for (std::size_t i = 0; i < e.summary.rows(); ++i)
     if (e.summary.texts("measure")[i] == name) return e.summary.numbers("value")[i];
   throw std::runtime_error("no measure " + name);
@@ -34,12 +34,12 @@ TEST(EvaluateRows, PlantsTellRowsAssignmentAndMissing) {
   for (int i = 0; i < 10; ++i)
     found.push_back({7, 2.0 * i + 0.05, 0.1}), found.push_back({i < 8 ? 8.0 : 9.0, 2.0 * i, 4});
   const auto e = evaluate_rows(plants(found, {{3, 1}, {50, 50}}), plants(truth, {{3.1, 1}, {9, 9}}), {});
-  EXPECT_NEAR(measure(e, "row_recall"), 50, 1e-9);  // row 2 is torn in two
-  EXPECT_NEAR(measure(e, "row_precision"), 100.0 / 3, 1e-9);
-  EXPECT_NEAR(measure(e, "plants_in_their_row"), 50, 1e-9);
-  EXPECT_NEAR(measure(e, "missing_found"), 50, 1e-9);
-  EXPECT_NEAR(measure(e, "missing_listed_right"), 50, 1e-9);
-  EXPECT_NEAR(measure(e, "angle_error_max"), 0, 1e-9);
+  EXPECT_NEAR(row_measure(e, "row_recall"), 50, 1e-9);  // row 2 is torn in two
+  EXPECT_NEAR(row_measure(e, "row_precision"), 100.0 / 3, 1e-9);
+  EXPECT_NEAR(row_measure(e, "plants_in_their_row"), 50, 1e-9);
+  EXPECT_NEAR(row_measure(e, "missing_found"), 50, 1e-9);
+  EXPECT_NEAR(row_measure(e, "missing_listed_right"), 50, 1e-9);
+  EXPECT_NEAR(row_measure(e, "angle_error_max"), 0, 1e-9);
   EXPECT_EQ(e.rows.rows(), 4U);
 }
 
@@ -68,9 +68,9 @@ TEST(EvaluateRows, LinesTellAngles) {
   found.set("x0_m", std::vector<double>{20, 0}),
       found.set("x1_m", std::vector<double>{0, 20});  // the way round does not matter
   const auto e = evaluate_rows(found, truth, {});
-  EXPECT_NEAR(measure(e, "row_recall"), 100, 1e-9);
-  EXPECT_NEAR(measure(e, "angle_error_max"), std::atan2(0.3, 20) * 180 / M_PI, 1e-9);
-  EXPECT_NEAR(measure(e, "angle_error_min"), 0, 1e-9);
+  EXPECT_NEAR(row_measure(e, "row_recall"), 100, 1e-9);
+  EXPECT_NEAR(row_measure(e, "angle_error_max"), std::atan2(0.3, 20) * 180 / M_PI, 1e-9);
+  EXPECT_NEAR(row_measure(e, "angle_error_min"), 0, 1e-9);
   EXPECT_THROW(evaluate_rows(found, plants({{1, 0, 0}}), {}), Error);
 }
 

@@ -34,7 +34,7 @@ RunFolders read(const std::string& folders, const std::string& names = {}) {
   return read_run_folders(options, {});
 }
 
-std::vector<std::string> codes(const Report& report) {
+std::vector<std::string> codes_of_runs(const Report& report) {
   std::vector<std::string> all;
   for (const auto& f : report.findings) all.push_back(f.code);
   return all;
@@ -77,7 +77,7 @@ TEST(RunFolders, ReadsWhatARunLeft) {
   EXPECT_EQ(found.poses.rows(), 2U);
   EXPECT_EQ(found.reference_stems.rows(), 1U);
   EXPECT_EQ(found.boundaries.rows(), 4U);
-  EXPECT_THAT(codes(found.report), testing::Each("run_file_missing")) << "of the second run";
+  EXPECT_THAT(codes_of_runs(found.report), testing::Each("run_file_missing")) << "of the second run";
 }
 
 TEST(RunFolders, WhatIsMissingOrDamagedIsSaid) {
@@ -87,8 +87,8 @@ TEST(RunFolders, WhatIsMissingOrDamagedIsSaid) {
   write(dir / "a/trajectory.tum", "no numbers\n");
   write(dir / "a/FAILED_RUN.txt", "out of memory\n");
   const auto found = read((dir / "a").string());
-  EXPECT_THAT(codes(found.report), testing::UnorderedElementsAre("run_file_damaged", "run_file_damaged",
-                                                                 "run_file_missing", "older_survey"));
+  EXPECT_THAT(codes_of_runs(found.report), testing::UnorderedElementsAre("run_file_damaged", "run_file_damaged",
+                                                                         "run_file_missing", "older_survey"));
   EXPECT_EQ(found.runs.texts("system")[0], "unknown");
   EXPECT_EQ(found.runs.integers("has_plot")[0], 0);
 }

@@ -34,7 +34,7 @@ Table stand(int trees, std::uint64_t seed, const Eigen::Vector2d& centre = {0, 0
 
 const CountingRule square{rectangle_area({0, 0}, 100, 100), 7};
 
-double value(const SampleStudy& s, const std::string& edge, const char* column) {
+double value_of_edge(const SampleStudy& s, const std::string& edge, const char* column) {
   const auto& edges = s.summary.texts("edge");
   for (std::size_t i = 0; i < edges.size(); ++i)
     if (edges[i] == edge) return s.summary.numbers(column)[i];
@@ -70,9 +70,9 @@ TEST(CircleInRectangle, IsTheAreaThatCountingFinds) {
 // Of trees at random: whoever ignores the edge misses the trees beyond it, the others are right on average.
 TEST(SamplePlots, TheEdgeBiasesWhereItIsIgnored) {
   const auto study = sample_plots(stand(800, 5), square, with("12", 4000), {});
-  const auto bias = [&](const char* edge) { return value(study, edge, "stems_per_ha_bias_pct"); };
-  const auto se = [&](const char* edge) { return value(study, edge, "stems_per_ha_bias_se_pct"); };
-  EXPECT_NEAR(value(study, "ignore", "stems_per_ha_true"), 800, 1e-9);
+  const auto bias = [&](const char* edge) { return value_of_edge(study, edge, "stems_per_ha_bias_pct"); };
+  const auto se = [&](const char* edge) { return value_of_edge(study, edge, "stems_per_ha_bias_se_pct"); };
+  EXPECT_NEAR(value_of_edge(study, "ignore", "stems_per_ha_true"), 800, 1e-9);
   // On average 1 - (8 r / 3 pi) (1/a + 1/b) + ... of a plot lies inside a x b: 10 % is missing.
   const double r = 12,
                expected = 100 * (-2 * 4 * r / (3 * std::numbers::pi * 100) + r * r / (2 * std::numbers::pi * 1e4));

@@ -62,7 +62,7 @@ TEST(BagSource, VelodynePacketsGiveTheFramesOfACapture) {
   }
 }
 
-double azimuth_deg(const Eigen::Vector3f& p) { return std::atan2(-p.y(), p.x()) * 180 / std::numbers::pi; }
+double signed_azimuth_deg(const Eigen::Vector3f& p) { return std::atan2(-p.y(), p.x()) * 180 / std::numbers::pi; }
 
 struct Difference {
   std::size_t unmatched = 0, same = 0, still = 0, next = 0, other = 0;
@@ -82,7 +82,7 @@ Difference compare_decoders(const std::vector<ScanFrame>& ours, const std::vecto
   for (const auto& frame : ours)
     for (std::size_t i = 0; i < frame.size(); ++i)
       points.push_back(
-          {frame.positions[i].norm(), frame.positions[i].z(), azimuth_deg(frame.positions[i]), frame.ring[i]});
+          {frame.positions[i].norm(), frame.positions[i].z(), signed_azimuth_deg(frame.positions[i]), frame.ring[i]});
   std::ranges::sort(points, {}, &Ours::range);
   std::vector<double> firing_time_s(model.channels.size());
   for (const auto& c : model.channels) firing_time_s[static_cast<std::size_t>(c.ring)] = c.firing_time_s;
@@ -94,7 +94,7 @@ Difference compare_decoders(const std::vector<ScanFrame>& ours, const std::vecto
     for (auto q = std::ranges::lower_bound(points, p.norm() - near, {}, &Ours::range);
          q != points.end() && q->range <= p.norm() + near; ++q) {
       if (std::abs(q->z - p.z()) > near) continue;
-      const double ahead = std::remainder(azimuth_deg(p) - q->azimuth, 360);
+      const double ahead = std::remainder(signed_azimuth_deg(p) - q->azimuth, 360);
       matched = true;
       same = same || std::abs(ahead) < grid_deg;
       for (int k = 0; k < model.sequences_per_block; ++k) {

@@ -17,7 +17,7 @@ using test::pose_xml;
 using test::ring_scan;
 using testing::HasSubstr;
 
-CloudReading read(const std::vector<std::uint8_t>& file, const CloudReadOptions& options = {}) {
+CloudReading read_e57_bytes(const std::vector<std::uint8_t>& file, const CloudReadOptions& options = {}) {
   return read_cloud(Bytes(file), "a.e57", options);
 }
 
@@ -30,7 +30,7 @@ TEST(E57, FieldsOfAllKindsInPacketsOfAnyLength) {
     E57File file;
     file.records_per_packet = std::min<std::size_t>(records, 2000);
     file.scans = {ring_scan(4000)};
-    const auto reading = read(file.bytes());
+    const auto reading = read_e57_bytes(file.bytes());
     const auto& cloud = reading.cloud;
     ASSERT_EQ(cloud.size(), 3600U) << records;  // one of ten is invalid
     EXPECT_EQ(reading.report.counts.at("invalid_points"), 400);
@@ -49,7 +49,7 @@ TEST(E57, SphericalCoordinatesComeFromTheScanner) {
   E57File file;
   file.scans = {{{{"sphericalRange", 64}, {"sphericalAzimuth", 64}, {"sphericalElevation", 64}}, {}, ""}};
   file.scans[0].rows = {{10, 0, 0}, {10, M_PI / 2, 0}, {2, 1, M_PI / 2}};
-  const auto reading = read(file.bytes());
+  const auto reading = read_e57_bytes(file.bytes());
   ASSERT_EQ(reading.cloud.size(), 3U);
   EXPECT_LT((reading.cloud.position(0) - Eigen::Vector3d(10, 0, 0)).norm(), 1e-6);
   EXPECT_LT((reading.cloud.position(1) - Eigen::Vector3d(0, 10, 0)).norm(), 1e-6);
@@ -62,7 +62,7 @@ TEST(E57, PosesOfSeveralScansAreRaysAndPasses) {
   E57File file;
   file.scans = {ring_scan(100, pose_xml(500100, 5400020, 400)),
                 ring_scan(50, pose_xml(500120, 5400020, 401, M_PI / 2))};
-  const auto reading = read(file.bytes());
+  const auto reading = read_e57_bytes(file.bytes());
   const auto& cloud = reading.cloud;
   ASSERT_EQ(cloud.size(), 135U);
   const auto& x = cloud.values<float>(arrays::sensor_x);
@@ -85,24 +85,24 @@ TEST(E57, PosesOfSeveralScansAreRaysAndPasses) {
 TEST(E57, PlacesThatTheFileDoesNotSayAreNotTaken) {
   E57File file;
   file.scans = {ring_scan(100)};
-  const auto without = read(file.bytes());
+  const auto without = read_e57_bytes(file.bytes());
   EXPECT_FALSE(without.cloud.has(arrays::sensor_x));
   EXPECT_TRUE(has_finding(without.report, "scan_positions_unknown"));
   CloudReadOptions options;
   options.scan_positions = ScanPositions::given;
-  EXPECT_TRUE(read(file.bytes(), options).cloud.has(arrays::sensor_x));
+  EXPECT_TRUE(read_e57_bytes(file.bytes(), options).cloud.has(arrays::sensor_x));
 
   // A pose that is a shift of the coordinates, not a place: the origin lies beside all points.
   file.scans = {ring_scan(100, pose_xml(100, 0, 0))};
   for (auto& row : file.scans[0].rows) row[0] += 30;
-  const auto shifted = read(file.bytes());
+  const auto shifted = read_e57_bytes(file.bytes());
   EXPECT_FALSE(shifted.cloud.has(arrays::sensor_x));
   EXPECT_FALSE(shifted.cloud.has(arrays::range));
   EXPECT_TRUE(has_finding(shifted.report, "scan_positions_unknown"));
   options.scan_positions = ScanPositions::none;
   file.scans = {ring_scan(100, pose_xml(101, 0, 0))};
-  EXPECT_TRUE(read(file.bytes()).cloud.has(arrays::sensor_x));
-  EXPECT_FALSE(read(file.bytes(), options).cloud.has(arrays::sensor_x));
+  EXPECT_TRUE(read_e57_bytes(file.bytes()).cloud.has(arrays::sensor_x));
+  EXPECT_FALSE(read_e57_bytes(file.bytes(), options).cloud.has(arrays::sensor_x));
 }
 
 TEST(E57, TimesColoursGridsAndImages) {
@@ -126,7 +126,7 @@ TEST(E57, TimesColoursGridsAndImages) {
                      "type=\"Float\">1</intensityMaximum></intensityLimits>"};
   file.scans = {scan};
   file.xml = "<images2D type=\"Vector\"><vectorChild/><vectorChild/></images2D>";
-  const auto reading = read(file.bytes());
+  const auto reading = read_e57_bytes(file.bytes());
   const auto& cloud = reading.cloud;
   ASSERT_EQ(cloud.size(), 2U);
   EXPECT_EQ(cloud.values<std::uint16_t>(arrays::red), (std::vector<std::uint16_t>{65535, 0}));
@@ -146,7 +146,7 @@ TEST(E57, ADamagedPageCostsThePointsInIt) {
   file.records_per_packet = 2000;
   auto bytes = file.bytes();
   bytes[5 * E57File::page + 100] ^= 0x10;
-  const auto reading = read(bytes);
+  const auto reading = read_e57_bytes(bytes);
   EXPECT_EQ(reading.report.counts.at("damaged_pages"), 1);
   EXPECT_TRUE(has_finding(reading.report, "damaged_pages"));
   EXPECT_TRUE(has_finding(reading.report, finding_code::input_incomplete));
@@ -162,7 +162,7 @@ TEST(E57, ADamagedPacketHeaderEndsItsScanAlone) {
   file.scans = {ring_scan(1000, pose_xml(0, 0, 0)), ring_scan(1000, pose_xml(20, 0, 0))};
   auto bytes = file.bytes();
   bytes[1 * E57File::page + 3] ^= 0xFF;
-  const auto reading = read(bytes);
+  const auto reading = read_e57_bytes(bytes);
   const auto& scan = reading.cloud.values<std::int32_t>("scan");
   EXPECT_EQ(std::ranges::count(scan, 1), 900);
   EXPECT_LT(std::ranges::count(scan, 0), 900);
@@ -173,7 +173,7 @@ TEST(E57, ADamagedDescriptionIsRefused) {
   file.scans = {ring_scan(10)};
   auto bytes = file.bytes();
   bytes[bytes.size() - E57File::page + 700] ^= 1;
-  EXPECT_THAT(error_of([&] { read(bytes); }), HasSubstr("checksum"));
+  EXPECT_THAT(error_of([&] { read_e57_bytes(bytes); }), HasSubstr("checksum"));
 }
 
 TEST(E57, CutLyingAndEmptyFiles) {
@@ -183,25 +183,25 @@ TEST(E57, CutLyingAndEmptyFiles) {
   for (const std::size_t size :
        {std::size_t{8}, std::size_t{47}, std::size_t{48}, bytes.size() / 2, bytes.size() - 1025})
     EXPECT_NE(error_of([&] {
-                read({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)});
+                read_e57_bytes({bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size)});
               }),
               "no error")
         << size;
   file.declared_more = 1'000'000'000'000ULL;
-  const auto lying = read(file.bytes());
+  const auto lying = read_e57_bytes(file.bytes());
   EXPECT_EQ(lying.cloud.size(), 3600U);
   EXPECT_TRUE(has_finding(lying.report, finding_code::input_incomplete));
   file.declared_more = 0;
   file.scans = {ring_scan(0)};
-  EXPECT_EQ(read(file.bytes()).cloud.size(), 0U);
+  EXPECT_EQ(read_e57_bytes(file.bytes()).cloud.size(), 0U);
   file.scans.clear();
-  EXPECT_EQ(read(file.bytes()).cloud.size(), 0U);
+  EXPECT_EQ(read_e57_bytes(file.bytes()).cloud.size(), 0U);
 }
 
 TEST(E57, ScansThatCannotBeReadAreNamed) {
   E57File file;
   file.scans = {ring_scan(100), {{{"intensity", 8}}, {{1}, {2}}, ""}};
-  const auto reading = read(file.bytes());
+  const auto reading = read_e57_bytes(file.bytes());
   EXPECT_EQ(reading.cloud.size(), 90U);
   EXPECT_TRUE(std::ranges::any_of(reading.report.warnings,
                                   [](const std::string& w) { return w.find("scan 1 has no coord") != w.npos; }));
@@ -212,9 +212,9 @@ TEST(E57, BoundsAreThoseOfTheFile) {
   file.scans = {ring_scan(1000, pose_xml(100, 0, 0)), ring_scan(1000, pose_xml(200, 0, 0))};
   CloudReadOptions options;
   options.bounds = "150,-10,250,10";
-  EXPECT_EQ(read(file.bytes(), options).cloud.size(), 900U);
+  EXPECT_EQ(read_e57_bytes(file.bytes(), options).cloud.size(), 900U);
   options.bounds = "150,-10,160,10";
-  EXPECT_THAT(error_of([&] { read(file.bytes(), options); }), HasSubstr("bounds"));
+  EXPECT_THAT(error_of([&] { read_e57_bytes(file.bytes(), options); }), HasSubstr("bounds"));
 }
 
 // Counts of readers/manifest.csv.

@@ -14,16 +14,16 @@ namespace {
 using namespace testing_io;
 using testing::HasSubstr;
 
-InertialRecord read_text(const std::string& text, Report& report) {
+InertialRecord read_inertial_text(const std::string& text, Report& report) {
   return read_inertial(Bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), "imu.csv", report);
 }
-InertialRecord read_text(const std::string& text) {
+InertialRecord read_inertial_text(const std::string& text) {
   Report report;
-  return read_text(text, report);
+  return read_inertial_text(text, report);
 }
 std::string why_refused(const std::string& text) {
   try {
-    read_text(text);
+    read_inertial_text(text);
   } catch (const Error& e) {
     EXPECT_EQ(e.kind(), ErrorKind::bad_input);
     return e.what();
@@ -34,7 +34,7 @@ std::string why_refused(const std::string& text) {
 const std::string header = "time_s,gyro_x_rad_s,gyro_y_rad_s,gyro_z_rad_s,accel_x_m_s2,accel_y_m_s2,accel_z_m_s2\n";
 
 TEST(InertialFile, OwnFileWithMountAndNoise) {
-  const auto record = read_text(
+  const auto record = read_inertial_text(
       "# unit: some\n# T_sensor_imu: 0.1 0.2 0.3 0 0 0.7071068 0.7071068\n# gyroscope_rad_s_sqrt_hz: 1e-4\n"
       "# accelerometer_m_s2_sqrt_hz: 2e-3\n# gyroscope_walk_rad_s2_sqrt_hz: 3e-6\n"
       "# accelerometer_walk_m_s3_sqrt_hz: 4e-5\n" +
@@ -50,7 +50,7 @@ TEST(InertialFile, OwnFileWithMountAndNoise) {
 }
 
 TEST(InertialFile, NamesAndUnitsOfOthers) {
-  const auto euroc = read_text(
+  const auto euroc = read_inertial_text(
       "#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad s^-1],a_RS_S_x [m s^-2],a_RS_S_y [m "
       "s^-2],a_RS_S_z [m s^-2]\n1403636579758555392,-0.1,0.2,0.3,9.0,0.1,-3.6\n1403636579763555584,-0.1,0.2,0.3,9.0,0."
       "1,-3.6\n");
@@ -59,14 +59,14 @@ TEST(InertialFile, NamesAndUnitsOfOthers) {
   EXPECT_EQ(euroc.samples[0].angular_rate_rad_s.x(), -0.1);
   EXPECT_FALSE(euroc.T_sensor_imu || euroc.noise);
 
-  const auto degrees = read_text(
+  const auto degrees = read_inertial_text(
       "Time (ms);Gyro X (deg/s);Gyro Y (deg/s);Gyro Z (deg/s);Acc X (g);Acc Y (g);Acc Z (g)\n0;90;0;0;0;0;1\n"
       "10;90;0;0;0;0;1.01\n");
   EXPECT_NEAR(degrees.samples[1].time_s, 0.01, 1e-12);
   EXPECT_NEAR(degrees.samples[1].angular_rate_rad_s.x(), 1.5707963, 1e-6);
   EXPECT_NEAR(degrees.samples[1].specific_force_m_s2.z(), 1.01 * 9.80665, 1e-9);
 
-  const auto ros = read_text(
+  const auto ros = read_inertial_text(
       "%time,field.angular_velocity.x,field.angular_velocity.y,field.angular_velocity.z,field.linear_acceleration.x,"
       "field.linear_acceleration.y,field.linear_acceleration.z\n1600000000000000000,0,0,1,0,0,9.8\n"
       "1600000000010000000,0,0,1,0,0,9.8\n");
@@ -87,7 +87,7 @@ TEST(InertialFile, WrongUnitsAreNamed) {
 
 TEST(InertialFile, GapsAndBadRowsAreTold) {
   Report report;
-  const auto record = read_text(
+  const auto record = read_inertial_text(
       header + "0,0,0,0,0,0,9.8\n0.01,0,0,0,0,0,\n0.02,0,0,0,0,0,9.8\n0.015,0,0,0,0,0,9.8\n2,0,0,0,0,0,9.8\n", report);
   EXPECT_EQ(record.samples.size(), 3u);
   EXPECT_EQ(report.counts.at("imu_gaps"), 1);

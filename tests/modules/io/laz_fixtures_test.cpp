@@ -45,7 +45,7 @@ std::uint64_t fnv1a(const std::vector<std::uint8_t>& bytes) {
 }
 
 // All records, chunk by chunk.
-std::vector<std::uint8_t> records_of(Bytes file, const LasInfo& info) {
+std::vector<std::uint8_t> unpacked_records(Bytes file, const LasInfo& info) {
   const auto packing =
       laz::parse_packing(las::vlr_data(file, *las::find_vlr(info, "laszip encoded", 22204)), info.record_length);
   const auto table = laz::read_chunk_table(file, info.data_offset, info.points, packing, info.record_length);
@@ -66,7 +66,7 @@ std::vector<std::uint8_t> records_of(Bytes file, const LasInfo& info) {
 std::vector<std::uint8_t> uncompressed(Bytes file, const LasInfo& info) {
   std::vector<std::uint8_t> out(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(info.data_offset));
   out[104] &= 0x7f;
-  const auto records = records_of(file, info);
+  const auto records = unpacked_records(file, info);
   out.insert(out.end(), records.begin(), records.end());
   return out;
 }
@@ -88,7 +88,7 @@ TEST_P(LazFixture, DecodesToTheVeryBytes) {
   EXPECT_EQ(info.point_format, GetParam().point_format);
   EXPECT_EQ(info.points, GetParam().points);
   EXPECT_EQ(info.record_length, static_cast<int>(GetParam().record_length));
-  EXPECT_EQ(fnv1a(records_of(file.bytes(), info)), GetParam().fnv1a);
+  EXPECT_EQ(fnv1a(unpacked_records(file.bytes(), info)), GetParam().fnv1a);
 }
 
 TEST_P(LazFixture, ReadsAsItsUncompressedTwin) {
@@ -118,7 +118,7 @@ TEST_P(LazFixture, ReadsWithoutItsChunkTable) {
 TEST_P(LazFixture, CutFilesGiveWhatIsThere) {
   const MappedFile file(folder + GetParam().file);
   const LasInfo info = las::parse_info(file.bytes());
-  const auto whole = records_of(file.bytes(), info);
+  const auto whole = unpacked_records(file.bytes(), info);
   std::size_t last = 0;
   for (std::size_t length = info.data_offset; length < file.bytes().size(); length += 97) {
     Report report;

@@ -16,7 +16,7 @@ using namespace testing_io;
 using testing::HasSubstr;
 namespace maker = testing_ouster;
 
-constexpr double start_s = 1.7e9;
+constexpr double ouster_start_s = 1.7e9;
 constexpr std::uint64_t sensor_start_ns = 278'000'000'000;  // after it was switched on
 
 maker::Sensor small_sensor(const std::string& profile = "RNG19_RFL8_SIG16_NIR16_DUAL") {
@@ -44,7 +44,7 @@ struct Recording {
   PcapBytes capture() const {
     PcapBytes out(mtu);
     for (int p = 0; p < 4 * frames; ++p) {
-      const double time_s = start_s + 0.025 * p;
+      const double time_s = ouster_start_s + 0.025 * p;
       const auto ns =
           (clock_set_at >= 0 && p >= clock_set_at ? std::uint64_t{1'700'000'000'000'000'000} : sensor_start_ns) +
           static_cast<std::uint64_t>(p) * 25'000'000;
@@ -100,7 +100,7 @@ TEST(OusterCapture, FramesAreThoseOfTheSensorAlsoWhereItsNumbersWrap) {
   source->read(1, frame);
   EXPECT_EQ(frame.size(), 64U * 32 + 32 * 32);
   EXPECT_EQ(std::ranges::count(frame.return_number, 2), 32 * 32);
-  EXPECT_NEAR(frame.start_time_s, start_s + 0.1, 1e-6);  // its clock counts on from the recorder's first time
+  EXPECT_NEAR(frame.start_time_s, ouster_start_s + 0.1, 1e-6);  // its clock counts on from the recorder's first time
   EXPECT_NEAR(frame.end_time_s - frame.start_time_s, 0.1 - 0.0015625, 1e-6);
   EXPECT_TRUE(std::ranges::is_sorted(frame.time_offset_s));
   const auto reopened = open_frame_source(Recording().write(folder), {});
@@ -113,7 +113,7 @@ TEST(OusterCapture, TheInertialUnitComesWithTheFrames) {
   const auto* inertial = source->inertial();
   ASSERT_NE(inertial, nullptr);
   ASSERT_EQ(inertial->samples.size(), 16U);
-  EXPECT_NEAR(inertial->samples[4].time_s, start_s + 0.1 + 1e-6, 1e-6);
+  EXPECT_NEAR(inertial->samples[4].time_s, ouster_start_s + 0.1 + 1e-6, 1e-6);
   EXPECT_NEAR(inertial->samples[4].specific_force_m_s2.z(), 9.80665, 1e-6);
   EXPECT_NEAR(inertial->samples[4].angular_rate_rad_s.z(), 10 * std::numbers::pi / 180, 1e-6);
   ASSERT_TRUE(inertial->T_sensor_imu);
@@ -199,9 +199,9 @@ TEST(OusterCapture, PacketsAsLongAsThoseOfTheInertialUnitAreNone) {
   const TempDir folder;
   const Recording recording;
   auto capture = recording.capture();
-  for (int i = 0; i < 5; ++i) capture.add(std::string(48, static_cast<char>(35 + i)), start_s, 123);  // NTP
-  capture.add(maker::Sensor::inertial_packet(sensor_start_ns + 1'000'000'000'000, {0, 0, 1}, {0, 0, 10}), start_s,
-              7503);
+  for (int i = 0; i < 5; ++i) capture.add(std::string(48, static_cast<char>(35 + i)), ouster_start_s, 123);  // NTP
+  capture.add(maker::Sensor::inertial_packet(sensor_start_ns + 1'000'000'000'000, {0, 0, 1}, {0, 0, 10}),
+              ouster_start_s, 7503);
   const auto path = recording.write(folder);
   write_file(path, capture.bytes());
   Report report;
@@ -238,10 +238,10 @@ TEST(OusterCapture, AClockThatIsSetDoesNotMoveTheTimes) {
   const auto source = open_frame_source(recording.write(folder), {}, {}, report);
   ASSERT_EQ(source->size(), 6U);
   for (std::size_t k = 0; k < 6; ++k)
-    EXPECT_NEAR(source->frame_time_s(k), start_s + 0.1 * static_cast<double>(k), 1e-5) << k;
+    EXPECT_NEAR(source->frame_time_s(k), ouster_start_s + 0.1 * static_cast<double>(k), 1e-5) << k;
   EXPECT_EQ(report.counts.at("clock_jumps"), 1);
   ASSERT_EQ(source->inertial()->samples.size(), 24U);
-  EXPECT_NEAR(source->inertial()->samples[12].time_s, start_s + 0.3 + 1e-6, 1e-5);
+  EXPECT_NEAR(source->inertial()->samples[12].time_s, ouster_start_s + 0.3 + 1e-6, 1e-5);
   EXPECT_THAT(report.findings, testing::Contains(testing::Field(&Finding::code, "clock_jumped")));
 }
 

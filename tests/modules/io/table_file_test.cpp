@@ -13,11 +13,11 @@ using namespace testing_io;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Table read(const std::string& text) { return read_table(bytes_of(text), "t.csv"); }
+Table read_table_text(const std::string& text) { return read_table(bytes_of(text), "t.csv"); }
 
 TEST(TableFile, TypesFollowTheCells) {
-  const auto t =
-      read("tree_id,dbh_cm,state,note,height_m\n1,20.5,auto,\"said \"\"big\"\", twice\",\n2,,edited,\"two\nlines\",\n");
+  const auto t = read_table_text(
+      "tree_id,dbh_cm,state,note,height_m\n1,20.5,auto,\"said \"\"big\"\", twice\",\n2,,edited,\"two\nlines\",\n");
   EXPECT_EQ(t.rows(), 2U);
   EXPECT_THAT(t.integers("tree_id"), ElementsAre(1, 2));
   EXPECT_EQ(t.numbers("dbh_cm")[0], 20.5);
@@ -27,23 +27,23 @@ TEST(TableFile, TypesFollowTheCells) {
 }
 
 TEST(TableFile, OtherDelimitersFactsAndLineEnds) {
-  const auto t = read("\xEF\xBB\xBF# axes: plot\n# crs: EPSG:25832\nx_m;name\r\n1,5;a\r\n2;b\r\n\r\n");
+  const auto t = read_table_text("\xEF\xBB\xBF# axes: plot\n# crs: EPSG:25832\nx_m;name\r\n1,5;a\r\n2;b\r\n\r\n");
   EXPECT_EQ(t.facts.at("axes"), "plot");
   EXPECT_EQ(t.facts.at("crs"), "EPSG:25832");
   EXPECT_THAT(t.numbers("x_m"), ElementsAre(1.5, 2));
-  EXPECT_THAT(read("a\tb\n1\tx, y\n").texts("b"), ElementsAre("x, y"));
-  EXPECT_EQ(read("a,b\n").rows(), 0U);
-  EXPECT_THAT(read("a,b\n1,").texts("b"), ElementsAre(""));
+  EXPECT_THAT(read_table_text("a\tb\n1\tx, y\n").texts("b"), ElementsAre("x, y"));
+  EXPECT_EQ(read_table_text("a,b\n").rows(), 0U);
+  EXPECT_THAT(read_table_text("a,b\n1,").texts("b"), ElementsAre(""));
 }
 
 TEST(TableFile, ErrorsNameTheLine) {
-  EXPECT_THAT(error_of([] { read("a,b\n1,2\n3\n"); }), HasSubstr("'t.csv' line 3 has 1 cell"));
-  EXPECT_THAT(error_of([] { read("a,b\n1,2,3\n"); }), HasSubstr("line 2 has 3 cells"));
-  EXPECT_THAT(error_of([] { read("a,a\n1,2\n"); }), HasSubstr("'a' twice"));
-  EXPECT_THAT(error_of([] { read("a,\n1,2\n"); }), HasSubstr("without a name"));
-  EXPECT_THAT(error_of([] { read("a,b\n\"1,2\n"); }), HasSubstr("line 2 opens a quote"));
-  EXPECT_THAT(error_of([] { read(""); }), HasSubstr("empty"));
-  EXPECT_THAT(error_of([] { read(std::string("a,b\n\0,2\n", 8)); }), HasSubstr("not text"));
+  EXPECT_THAT(error_of([] { read_table_text("a,b\n1,2\n3\n"); }), HasSubstr("'t.csv' line 3 has 1 cell"));
+  EXPECT_THAT(error_of([] { read_table_text("a,b\n1,2,3\n"); }), HasSubstr("line 2 has 3 cells"));
+  EXPECT_THAT(error_of([] { read_table_text("a,a\n1,2\n"); }), HasSubstr("'a' twice"));
+  EXPECT_THAT(error_of([] { read_table_text("a,\n1,2\n"); }), HasSubstr("without a name"));
+  EXPECT_THAT(error_of([] { read_table_text("a,b\n\"1,2\n"); }), HasSubstr("line 2 opens a quote"));
+  EXPECT_THAT(error_of([] { read_table_text(""); }), HasSubstr("empty"));
+  EXPECT_THAT(error_of([] { read_table_text(std::string("a,b\n\0,2\n", 8)); }), HasSubstr("not text"));
   EXPECT_THAT(error_of([] { read_table(std::filesystem::path{}); }), HasSubstr("no table"));
 }
 
@@ -66,13 +66,13 @@ TEST(TableFile, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(back.texts("empty"), t.texts("empty"));
   Table odd;
   odd.set("a;b;c", std::vector<std::string>{"\vx\t"});
-  EXPECT_EQ(read(table_text(odd)).texts("a;b;c"), odd.texts("a;b;c"));
+  EXPECT_EQ(read_table_text(table_text(odd)).texts("a;b;c"), odd.texts("a;b;c"));
   Table marked;  // what many programs put before UTF-8, here a name
   marked.set("\xEF\xBB\xBF", std::vector<std::string>{"a"});
-  EXPECT_EQ(read(table_text(marked)).columns()[0].name, "\xEF\xBB\xBF");
+  EXPECT_EQ(read_table_text(table_text(marked)).columns()[0].name, "\xEF\xBB\xBF");
   Table one;
   one.set("note", std::vector<std::string>{"a", "", "b"});
-  EXPECT_EQ(read(table_text(one)).texts("note"), one.texts("note"));
+  EXPECT_EQ(read_table_text(table_text(one)).texts("note"), one.texts("note"));
 }
 
 // A spreadsheet runs a text that begins like a formula.

@@ -10,7 +10,7 @@ namespace {
 using namespace testing_io;
 using testing::HasSubstr;
 
-Trajectory read_text(const std::string& text) { return read_tum(bytes_of(text), "t.tum"); }
+Trajectory read_tum_text(const std::string& text) { return read_tum(bytes_of(text), "t.tum"); }
 
 TEST(TrajectoryFile, TumComesBack) {
   Trajectory t;
@@ -34,17 +34,17 @@ TEST(TrajectoryFile, TumComesBack) {
 }
 
 TEST(TrajectoryFile, QuaternionsAreNormalised) {
-  const auto t = read_text("# time\n1 0 0 0 0 0 0.707 0.707\n");
+  const auto t = read_tum_text("# time\n1 0 0 0 0 0 0.707 0.707\n");
   EXPECT_TRUE(t.poses[0].T_target_sensor.linear().isUnitary(1e-12));
 }
 
 TEST(TrajectoryFile, ErrorsNameTheLine) {
-  EXPECT_THAT(error_of([] { read_text("1 0 0 0 0 0 0 1\n# c\n1 0 0 0 0 0 0 1\n"); }),
+  EXPECT_THAT(error_of([] { read_tum_text("1 0 0 0 0 0 0 1\n# c\n1 0 0 0 0 0 0 1\n"); }),
               HasSubstr("'t.tum' line 3 has time 1 after 1"));
-  EXPECT_THAT(error_of([] { read_text("1 0 0 0 0 0 0\n"); }), HasSubstr("line 1 has 7 values"));
-  EXPECT_THAT(error_of([] { read_text("1 0 0 nan 0 0 0 1\n"); }), HasSubstr("'nan'"));
-  EXPECT_THAT(error_of([] { read_text("1 0 0 0 0 0 0 0\n"); }), HasSubstr("length 0"));
-  EXPECT_THAT(error_of([] { read_text("# nothing\n"); }), HasSubstr("no poses"));
+  EXPECT_THAT(error_of([] { read_tum_text("1 0 0 0 0 0 0\n"); }), HasSubstr("line 1 has 7 values"));
+  EXPECT_THAT(error_of([] { read_tum_text("1 0 0 nan 0 0 0 1\n"); }), HasSubstr("'nan'"));
+  EXPECT_THAT(error_of([] { read_tum_text("1 0 0 0 0 0 0 0\n"); }), HasSubstr("length 0"));
+  EXPECT_THAT(error_of([] { read_tum_text("# nothing\n"); }), HasSubstr("no poses"));
   EXPECT_THAT(error_of([] { read_kitti_poses(bytes_of("2 0 0 0 0 1 0 0 0 0 1 0\n"), "k.txt"); }),
               HasSubstr("'k.txt' line 1 is no rotation"));
 }

@@ -23,7 +23,7 @@ constexpr const char* chain = R"({"title": "Toy", "stages": [
   {"id": "scan", "type": "toy.scan"},
   {"id": "height", "type": "toy.height", "inputs": {"points": "scan.points"}}]})";
 
-std::string error_of(const std::string& text) {
+std::string error_of_document(const std::string& text) {
   try {
     PipelineDocument::parse(text, registry());
   } catch (const Error& e) {
@@ -51,19 +51,20 @@ TEST(Document, RoundTripsThroughJson) {
 }
 
 TEST(Document, ErrorsNameThePlaceAndTheRemedy) {
-  EXPECT_THAT(error_of("{"), HasSubstr("not a JSON text"));
-  EXPECT_THAT(error_of("[]"), HasSubstr("no list of stages"));
-  EXPECT_THAT(error_of(R"({"stages": []})"), HasSubstr("no stage"));
-  EXPECT_THAT(error_of(R"({"stages": [{"id": "a", "type": "toy.slcie"}]})"), HasSubstr("Did you mean toy.slice"));
-  EXPECT_THAT(error_of(R"({"stages": [{"id": "a", "type": "toy.slice", "opts": {}}]})"),
+  EXPECT_THAT(error_of_document("{"), HasSubstr("not a JSON text"));
+  EXPECT_THAT(error_of_document("[]"), HasSubstr("no list of stages"));
+  EXPECT_THAT(error_of_document(R"({"stages": []})"), HasSubstr("no stage"));
+  EXPECT_THAT(error_of_document(R"({"stages": [{"id": "a", "type": "toy.slcie"}]})"),
+              HasSubstr("Did you mean toy.slice"));
+  EXPECT_THAT(error_of_document(R"({"stages": [{"id": "a", "type": "toy.slice", "opts": {}}]})"),
               HasSubstr("unknown key 'opts'"));
-  EXPECT_THAT(error_of(R"({"stages": [{"id": "a", "type": "toy.slice", "options": {"heigth": 1}}]})"),
+  EXPECT_THAT(error_of_document(R"({"stages": [{"id": "a", "type": "toy.slice", "options": {"heigth": 1}}]})"),
               HasSubstr("Did you mean height"));
-  EXPECT_THAT(error_of(R"({"stages": [{"id": "a", "type": "toy.slice", "options": {"height": 99}}]})"),
+  EXPECT_THAT(error_of_document(R"({"stages": [{"id": "a", "type": "toy.slice", "options": {"height": 99}}]})"),
               HasSubstr("a number from 0.1 to 5 m"));
-  EXPECT_THAT(error_of(R"({"stages": [{"id": "a", "type": "toy.slice", "options": {"height": [1]}}]})"),
+  EXPECT_THAT(error_of_document(R"({"stages": [{"id": "a", "type": "toy.slice", "options": {"height": [1]}}]})"),
               HasSubstr("option height is [1]"));
-  EXPECT_THAT(error_of(R"({"stages": [{"id": "a", "type": "toy.scan"}, {"id": "a", "type": "toy.scan"}]})"),
+  EXPECT_THAT(error_of_document(R"({"stages": [{"id": "a", "type": "toy.scan"}, {"id": "a", "type": "toy.scan"}]})"),
               HasSubstr("two stages have the id 'a'"));
 }
 

@@ -51,5 +51,12 @@ TEST_F(Printing, ThePageOfAStageHasItsPresetsAsATable) {
   EXPECT_THAT(stage_markdown(registry_.at("ground.model")), Not(HasSubstr("## Values by")));
 }
 
+TEST_F(Printing, TheListOfStagesHasTheirPorts) {
+  const auto list = stages_index_markdown(registry_);
+  EXPECT_THAT(list, HasSubstr("| [`ground.model`](ground.model.md) | Model the ground | `points`, `terrain`?, "
+                              "`point_edits`? | `points`, `dem`"));
+  EXPECT_THAT(list, HasSubstr("| [`io.read_table`](io.read_table.md) | Read a table |  | `table` |"));
+}
+
 }  // namespace
 }  // namespace bole::pipeline

@@ -9,7 +9,7 @@
 namespace bole::plant {
 namespace {
 
-std::vector<Tip> measured(const Points3& points, const Points3& around, const ViewSource& views) {
+std::vector<Tip> measured_tips(const Points3& points, const Points3& around, const ViewSource& views) {
   auto tips = outermost_tips(points, 0.008);
   measure_tips(views, views.given_poses(), Pose::Identity(), around, 0.0005, {}, all_of(views), tips, {});
   return tips;
@@ -24,7 +24,7 @@ TEST(Tips, PicturesGiveBackWhatTheCloudLost) {
   const LeafViews views;
   for (const double share : {0.95, 1.03}) {  // 3 mm lost at each end, 1.8 mm too many
     const auto points = leaf_cloud(share, 0.0001);
-    const auto tips = measured(points, points, views);
+    const auto tips = measured_tips(points, points, views);
     for (const double end : {-half_length, half_length}) {
       const auto& tip = at_end(tips, end);
       ASSERT_TRUE(tip.measured()) << share;
@@ -49,7 +49,7 @@ TEST(Tips, ATipThatIsHiddenIsNotMeasured) {
   auto around = points;
   for (double x = 0.03; x < 0.1; x += 0.0004)
     for (double y = -0.04; y < 0.04; y += 0.0004) around.emplace_back(x, y, 0.23);
-  const auto tips = measured(points, around, views);
+  const auto tips = measured_tips(points, around, views);
   EXPECT_TRUE(at_end(tips, -half_length).measured());
   EXPECT_FALSE(at_end(tips, half_length).measured());
 }

@@ -24,7 +24,7 @@ std::vector<double> errors_of(const PointCloud& cloud, const synthetic::PlantSce
   return errors;
 }
 
-FuseOptions small_options() {
+FuseOptions small_fusion() {
   FuseOptions o;
   o.voxel = 0.002;
   return o;
@@ -49,7 +49,7 @@ TEST(Tsdf, SurfaceLiesOnTheScene) {
     PlantSceneViews::Settings settings;
     settings.own_depth_camera = own_depth_camera;
     const PlantSceneViews views(settings);
-    const auto f = fuse(views, small_options());
+    const auto f = fuse(views, small_fusion());
     const auto cloud = surface_points(f.grid, 2);
     ASSERT_GT(cloud.size(), 5000U);
     const auto errors = errors_of(cloud, views.scene());
@@ -62,13 +62,13 @@ TEST(Tsdf, NoisyDepthIsAveraged) {
   PlantSceneViews::Settings settings;
   settings.depth_noise = 0.0015;
   const PlantSceneViews views(settings);
-  const auto f = fuse(views, small_options());
+  const auto f = fuse(views, small_fusion());
   EXPECT_LT(quantile(errors_of(surface_points(f.grid, 2), views.scene()), 0.5), 0.0009);
 }
 
 TEST(Tsdf, TheRegionHoldsThePlantAndNotTheWholeTable) {
   const PlantSceneViews views({});
-  const auto f = fuse(views, small_options());
+  const auto f = fuse(views, small_fusion());
   for (const auto& leaf : views.scene().leaves) {
     EXPECT_TRUE(f.region.contains(leaf.centre + leaf.radii));
     EXPECT_TRUE(f.region.contains(leaf.centre - leaf.radii));
@@ -79,7 +79,7 @@ TEST(Tsdf, TheRegionHoldsThePlantAndNotTheWholeTable) {
 
 TEST(Tsdf, NormalsPointToTheCamerasAndColoursAreThoseOfTheScene) {
   const PlantSceneViews views({});
-  const auto f = fuse(views, small_options());
+  const auto f = fuse(views, small_fusion());
   const auto cloud = surface_points(f.grid, 2);
   const auto& nz = cloud.values<float>("normal_z");
   const auto& red = cloud.values<std::uint16_t>(arrays::red);
@@ -104,7 +104,7 @@ TEST(Tsdf, NormalsPointToTheCamerasAndColoursAreThoseOfTheScene) {
 
 TEST(Tsdf, TheMeshHasTheSurfaceOfThePoints) {
   const PlantSceneViews views({});
-  const auto f = fuse(views, small_options());
+  const auto f = fuse(views, small_fusion());
   const auto mesh = surface_mesh(f.grid, 2);
   ASSERT_GT(mesh.triangles.rows(), 5000U);
   EXPECT_LT(quantile(errors_of(mesh.vertices, views.scene()), 0.5), 0.0006);
@@ -138,7 +138,7 @@ TEST(Tsdf, ClearErrors) {
 
 TEST(Tsdf, TooLittleMemoryEnlargesTheVoxelsAndSaysSo) {
   const PlantSceneViews views({});
-  auto options = small_options();
+  auto options = small_fusion();
   options.max_memory_mib = 16;
   options.voxel = 0.001;
   const auto f = fuse(views, options);

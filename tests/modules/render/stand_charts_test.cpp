@@ -18,7 +18,7 @@ namespace {
 
 using testing::HasSubstr;
 
-int pixels_near(const Image& image, const Color& color, double reach = 0.06) {
+int pixels_like(const Image& image, const Color& color, double reach = 0.06) {
   int n = 0;
   for (int y = 0; y < image.height; ++y)
     for (int x = 0; x < image.width; ++x) {
@@ -43,7 +43,7 @@ TEST(StandCharts, HeightsHaveTheirCurveWhereThereIsOne) {
   const auto with = height_diameter(s.stems, &curve, 90), without = height_diameter(s.stems, nullptr, 90);
   EXPECT_THAT(with.caption, HasSubstr("height curve"));
   EXPECT_THAT(without.caption, testing::Not(HasSubstr("height curve")));
-  EXPECT_GT(pixels_near(figure_image(with, 150), ink::text), pixels_near(figure_image(without, 150), ink::text) + 50);
+  EXPECT_GT(pixels_like(figure_image(with, 150), ink::text), pixels_like(figure_image(without, 150), ink::text) + 50);
   Table none = s.stems;
   none.set("height_m", std::vector<double>(none.rows(), std::nan("")));
   EXPECT_FALSE(has_heights(none));
@@ -52,7 +52,7 @@ TEST(StandCharts, HeightsHaveTheirCurveWhereThereIsOne) {
 TEST(StandCharts, LowerBoundsAreRings) {
   auto s = testing_data::make_small_survey();
   s.stems.set("quality", std::vector<std::string>(s.stems.rows(), "good"));
-  const auto paper = [&] { return pixels_near(figure_image(height_diameter(s.stems, nullptr, 90), 200), ink::paper); };
+  const auto paper = [&] { return pixels_like(figure_image(height_diameter(s.stems, nullptr, 90), 200), ink::paper); };
   const auto around_discs = paper();
   s.stems.set("height_lower_bound_m", s.stems.numbers("height_m"));
   s.stems.set("height_m", std::vector<double>(s.stems.rows(), std::nan("")));
@@ -63,7 +63,7 @@ TEST(StandCharts, LowerBoundsAreRings) {
 TEST(StandCharts, TaperTakesTheSectionsOfTheStemsGiven) {
   const auto s = testing_data::make_small_survey();
   ASSERT_TRUE(has_stem_curves(s.stems, s.sections));
-  const auto paper = [](const Figure& f) { return pixels_near(figure_image(f, 120), ink::paper, 0.01); };
+  const auto paper = [](const Figure& f) { return pixels_like(figure_image(f, 120), ink::paper, 0.01); };
   EXPECT_GT(paper(taper_curves(s.stems.subset({0, 1}), s.sections, 90)), paper(taper_curves(s.stems, s.sections, 90)));
   EXPECT_FALSE(has_stem_curves(s.stems.subset({}), s.sections));
 }
@@ -74,8 +74,8 @@ TEST(RasterMap, TerrainHasContoursAndCanopyHasNone) {
   EXPECT_THAT(terrain.caption, HasSubstr("contour lines every 0.2 m"));
   EXPECT_EQ(terrain.name, "terrain");
   const auto image = figure_image(terrain, 120);
-  EXPECT_GT(pixels_near(image, ink::accent, 0.1), 40);  // the stems
-  EXPECT_LT(pixels_near(image, ink::paper, 0.01), image.width * image.height / 2);
+  EXPECT_GT(pixels_like(image, ink::accent, 0.1), 40);  // the stems
+  EXPECT_LT(pixels_like(image, ink::paper, 0.01), image.width * image.height / 2);
   EXPECT_THAT(raster_map({&s.dem, nullptr, {}, true}, RasterKind::canopy, 90).caption,
               testing::Not(HasSubstr("contour")));
 }

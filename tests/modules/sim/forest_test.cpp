@@ -6,15 +6,10 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/resources.h"
 #include "modules/sim/plots.h"
 
 namespace bole::sim {
 namespace {
-
-Forest shipped(const std::string& plot, std::uint64_t seed) {
-  return make_forest(read_recipe(resource_path("plots/" + plot + ".json")), seed);
-}
 
 TEST(Forest, has_the_count_mean_and_spread_of_its_recipe) {
   for (const char* plot : {"plot1", "plot2", "plot3", "plot4", "mixed"}) {

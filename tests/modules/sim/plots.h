@@ -1,6 +1,8 @@
 // Small plots for tests.
 #pragma once
 
+#include "base/resources.h"
+#include "sim/core/plot/forest.h"
 #include "sim/core/plot/recipe.h"
 
 namespace bole::sim {
@@ -20,6 +22,11 @@ inline PlotRecipe bare_plot(int trees = 3) {
   auto& u = recipe.understorey;
   u.shrubs_per_ha = u.saplings_per_ha = u.grass_per_ha = 0;
   return recipe;
+}
+
+// A plot of resources/plots.
+inline Forest shipped(const std::string& plot, std::uint64_t seed) {
+  return make_forest(read_recipe(resource_path("plots/" + plot + ".json")), seed);
 }
 
 }  // namespace bole::sim

@@ -24,10 +24,6 @@ namespace {
 
 const std::vector<std::string> stands{"broadleaf", "mixed_stand", "coppice", "slope30", "terraces"};
 
-Forest shipped(const std::string& plot, std::uint64_t seed) {
-  return make_forest(read_recipe(resource_path("plots/" + plot + ".json")), seed);
-}
-
 TEST(Stand, shipped_stands_have_free_stems_on_their_side_and_the_moments_of_their_recipe) {
   for (const auto& name : stands)
     for (const std::uint64_t seed : {1, 5}) {

@@ -24,7 +24,7 @@ Pose pose_at(double x, double y, double heading_rad = 0) {
 }
 
 // Posts at random places, on whose height the seed decides too.
-std::vector<Eigen::Vector3d> posts(unsigned seed) {
+std::vector<Eigen::Vector3d> low_posts(unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> at(-20, 20), top(0.5, 3);
   std::vector<Eigen::Vector3d> points;
@@ -46,7 +46,7 @@ Keyframe seen_from(const std::vector<Eigen::Vector3d>& world, const Pose& T_worl
 }
 
 TEST(PlaceGuess, AWrongGuessIsPutRightToAThirdOfAMetre) {
-  const auto world = posts(3);
+  const auto world = low_posts(3);
   std::vector<Keyframe> keyframes;
   for (int i = 0; i < 5; ++i) keyframes.push_back(seen_from(world, pose_at(i, 0), pose_at(i, 0), i));
   // Driven the other way, 20 m later; the guess is 2 m short along the way, 0.5 m aside and turned by 4 deg.
@@ -57,7 +57,7 @@ TEST(PlaceGuess, AWrongGuessIsPutRightToAThirdOfAMetre) {
   EXPECT_LT(Eigen::AngleAxisd(placed.T_map_keyframe.linear().transpose() * truth.linear()).angle(), 0.04);
   EXPECT_GT(placed.score, 0.25);  // posts without thickness often fall beside the cell that they have taken
   // Another place never fits as well.
-  const auto elsewhere = seen_from(posts(4), truth, guess, 25);
+  const auto elsewhere = seen_from(low_posts(4), truth, guess, 25);
   EXPECT_LT(place_on_stretch(keyframes, 0, 4, elsewhere, guess).score, 0.6 * placed.score);
 }
 
@@ -163,7 +163,7 @@ void walk_alley(const std::vector<Eigen::Vector3d>& world, bool back, double& tr
 TEST(LoopCandidates, AlongTheWayAPlaceIsFoundAmongPlacesThatLookTheSame) {
   // The same posts twice, 300 m apart: by look alone either may be meant. Then back through the second with a slip of
   // 4 m and 6 deg.
-  const auto world = posts(7);
+  const auto world = low_posts(7);
   std::vector<Keyframe> keyframes;
   std::vector<Pose> truth;
   double travelled = 0;
@@ -195,7 +195,7 @@ TEST(LoopCandidates, AlongTheWayAPlaceIsFoundAmongPlacesThatLookTheSame) {
 }
 
 TEST(LocalMap, OfTheLastKeyFramesForgetsAPlace) {
-  const auto world = posts(5);
+  const auto world = low_posts(5);
   std::vector<Keyframe> keyframes;
   LocalMap nearest(0.1, 4), last(0.1, 4, LocalMapKind::last);
   const auto knows = [&](const LocalMap& map) { return map.maps().edges.surface(world.front(), 1, 1).has_value(); };

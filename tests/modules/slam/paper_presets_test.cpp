@@ -173,7 +173,7 @@ TEST(PaperFormulas, EquationFourIsTheMeanOverAllSectors) {
   EXPECT_EQ(turned.shift, 3);
 }
 
-Features features_of(const SyntheticScan& source, std::size_t index, const SlamSettings& settings) {
+Features preset_features(const SyntheticScan& source, std::size_t index, const SlamSettings& settings) {
   ScanFrame frame;
   source.read(index, frame);
   Scan scan;
@@ -183,7 +183,7 @@ Features features_of(const SyntheticScan& source, std::size_t index, const SlamS
   return features;
 }
 
-SyntheticScan dense_walk(std::size_t frames, double noise = 0.01) {
+SyntheticScan noisy_walk(std::size_t frames, double noise = 0.01) {
   auto sensor = SpinningSensor::vlp32c(900);
   sensor.range_noise_m = noise;
   return {synthetic::trunks(9, 3.5), sensor, [](double t) { return synthetic::walk_on_circle(t, 4, 1, 1, 0.3); },
@@ -191,13 +191,13 @@ SyntheticScan dense_walk(std::size_t frames, double noise = 0.01) {
 }
 
 TEST(PaperPresets, TheMotionWithinAFrameIsMatchedAgainstTheLastFrame) {
-  const auto source = dense_walk(4, 0.005);
+  const auto source = noisy_walk(4, 0.005);
   const auto settings = resolved(with_preset(Preset::forest_paper));
   const double t2 = source.frame_time_s(2), t3 = source.frame_time_s(3);
   const FrameMotion last{source.truth(t2), source.truth(t2 + 0.1)};
   const SensorPrior sensor{settings.range_sigma, 0.001};
-  const PointMatches points(features_of(source, 2, settings).map, last, sensor, Matrix6d::Zero());
-  const auto query = features_of(source, 3, settings).query;
+  const PointMatches points(preset_features(source, 2, settings).map, last, sensor, Matrix6d::Zero());
+  const auto query = preset_features(source, 3, settings).query;
   RegistrationSettings registration;
   registration.model = MotionModel::end;
   registration.points = &points;
@@ -219,10 +219,10 @@ TEST(PaperPresets, TheMotionWithinAFrameIsMatchedAgainstTheLastFrame) {
 }
 
 TEST(PaperPresets, ReferencePointsOfAnUncertainFrameCountLess) {
-  const auto source = dense_walk(2);
+  const auto source = noisy_walk(2);
   const auto settings = resolved(with_preset(Preset::forest_paper));
   const FrameMotion motion{source.truth(0), source.truth(0.1)};
-  const auto features = features_of(source, 0, settings);
+  const auto features = preset_features(source, 0, settings);
   const SensorPrior sensor{0.02, 0.001};
   const PointMatches exact(features.map, motion, sensor, Matrix6d::Zero());
   const PointMatches placed(features.map, motion, sensor, 1e-4 * Matrix6d::Identity());
@@ -273,7 +273,7 @@ TEST(PaperPresets, EachHasTheElementsOfItsPaper) {
 }
 
 TEST(PaperPresets, EachMapsAShortWalk) {
-  const auto source = dense_walk(12);
+  const auto source = noisy_walk(12);
   for (const auto preset : {Preset::loam_paper, Preset::forest_paper, Preset::lego_loam_orchard_paper}) {
     const auto name = choice_name(preset);
     auto options = with_preset(preset);
@@ -291,7 +291,7 @@ TEST(PaperPresets, EachMapsAShortWalk) {
 // What is seen lies in the first part of each frame. Matched against a last frame that was de-skewed wrongly, the
 // motion within the frame was wrong by more than that one's, to the other side, and swung up until frames were lost.
 TEST(PaperPresets, TheMatchedMotionDoesNotSwingUp) {
-  auto source = dense_walk(24);
+  auto source = noisy_walk(24);
   source.spoil = [](std::size_t, ScanFrame& frame) {
     for (std::size_t i = 0; i < frame.size(); ++i)
       if (frame.time_offset_s[i] > 0.08) frame.positions[i].setZero();
@@ -310,7 +310,7 @@ TEST(PaperPresets, ElasticFramesHaveNoMatchedMotion) {
 }
 
 // Posts of different heights about the origin.
-std::vector<Eigen::Vector3f> posts(unsigned seed) {
+std::vector<Eigen::Vector3f> far_posts(unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> at(-30, 30), height(0.5f, 8);
   std::vector<Eigen::Vector3f> points;
@@ -330,7 +330,7 @@ TEST(PaperPresets, TheOrchardPaperAcceptsBySimilarityAloneWhereverTheOdometryIs)
     f.time_s = k;
     f.travelled = 2.0 * k;
     f.T_map_keyframe.translation().x() = 2.0 * k;
-    f.planes = posts(k == 30 ? 100 : 100 + k);
+    f.planes = far_posts(k == 30 ? 100 : 100 + k);
     f.context = make_scan_context(f.planes, {});
     keyframes.push_back(std::move(f));
   }

@@ -126,7 +126,7 @@ struct Edited {
 };
 
 // Stem 1 at (0, 0) was measured; points of no tree stand about (4, 0).
-EditedStems edited(const std::string& stem_edits, const std::string& point_edits) {
+EditedStems edited_points(const std::string& stem_edits, const std::string& point_edits) {
   Table stems;
   stems.set("tree_id", std::vector<std::int64_t>{1});
   stems.set("x_m", std::vector<double>{0});
@@ -154,8 +154,8 @@ EditedStems edited(const std::string& stem_edits, const std::string& point_edits
 const std::string post = R"("path": [[4, 0, 0], [4, 0, 9]], "radius_m": 0.2)";
 
 TEST(GivePoints, ATreeThatWasAddedGetsItsPointsAndTheirHeight) {
-  const auto e = edited(R"([{"action": "add", "at": [4, 0], "dbh_cm": 25}])",
-                        R"([{"action": "to_tree", "tree": [4, 0], )" + post + R"(, "author": "A. Smith"}])");
+  const auto e = edited_points(R"([{"action": "add", "at": [4, 0], "dbh_cm": 25}])",
+                               R"([{"action": "to_tree", "tree": [4, 0], )" + post + R"(, "author": "A. Smith"}])");
   EXPECT_EQ(std::ranges::count(e.points->values<std::int32_t>(arrays::tree_id), 2), 10);
   EXPECT_THAT(e.stems.numbers("height_m"), ElementsAre(15, 5));  // five points reach 5 m
   ASSERT_EQ(e.log.rows(), 2U);
@@ -167,15 +167,15 @@ TEST(GivePoints, ATreeThatWasAddedGetsItsPointsAndTheirHeight) {
 }
 
 TEST(GivePoints, ATreeThatIsNotThereIsAConflictAndOneThatWasDeletedIsNone) {
-  const auto unknown = edited("[]", R"([{"action": "to_tree", "tree": [4, 0], )" + post + "}]");
+  const auto unknown = edited_points("[]", R"([{"action": "to_tree", "tree": [4, 0], )" + post + "}]");
   EXPECT_EQ(unknown.log.text("outcome", 0), "conflict");
   EXPECT_THAT(unknown.log.text("message", 0), HasSubstr("no tree for certain within 0.5 m of (4.00, 0.00)"));
   EXPECT_EQ(unknown.report.counts.at("point_conflicts"), 1);
   EXPECT_EQ(unknown.report.message, "no edits, 0 of 1 edits of points");
-  const auto gone =
-      edited(R"([{"action": "delete", "at": [0, 0]}])", R"([{"action": "to_tree", "tree": [0, 0], )" + post + "}]");
+  const auto gone = edited_points(R"([{"action": "delete", "at": [0, 0]}])",
+                                  R"([{"action": "to_tree", "tree": [0, 0], )" + post + "}]");
   EXPECT_EQ(gone.log.text("outcome", 1), "applied");
-  const auto empty = edited("[]", R"([{"action": "to_noise", "path": [[50, 0, 0]], "radius_m": 1}])");
+  const auto empty = edited_points("[]", R"([{"action": "to_noise", "path": [[50, 0, 0]], "radius_m": 1}])");
   EXPECT_THAT(empty.log.text("message", 0), HasSubstr("no point lies in its selection"));
 }
 

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 
 // Nine stems seen all round, the terrain as ground.model tells it. `lowest`: of the points; `terrain`: height of the
 // terrain model above the ground; `ground`: whether returns from the ground are in the cloud.
-StemCloud stand(double lowest, double terrain, bool ground) {
+StemCloud stand_on_terrain(double lowest, double terrain, bool ground) {
   synthetic::StemCloudOptions o;
   o.pass_step = 0.5, o.azimuth_step = 0.4, o.rays = false, o.time = false;
   auto made = synthetic::make_stem_cloud(synthetic::random_stand(9, 0.2, 0.4, 3), o);
@@ -54,14 +54,14 @@ std::size_t with_reason(const StemSurvey& survey, const std::string& words) {
 }
 
 TEST(GroundCheck, GroundAroundEveryStemIsNoReason) {
-  const auto survey = measure(stand(0, 0, true));
+  const auto survey = measure(stand_on_terrain(0, 0, true));
   EXPECT_EQ(survey.stems.size(), 9U);
   EXPECT_TRUE(survey.report.findings.empty());
   EXPECT_EQ(survey.report.counts.at("points_below_terrain"), 0);
 }
 
 TEST(GroundCheck, StemsThatGoOnBelowTheTerrainAreRefused) {
-  const auto survey = measure(stand(0, 0.8, true));
+  const auto survey = measure(stand_on_terrain(0, 0.8, true));
   const auto* told = finding(survey.report, "points_below_terrain");
   ASSERT_TRUE(told);
   EXPECT_EQ(told->severity, Severity::refused);
@@ -73,7 +73,7 @@ TEST(GroundCheck, StemsThatGoOnBelowTheTerrainAreRefused) {
 }
 
 TEST(GroundCheck, WithoutGroundTheTerrainIsInterpolated) {
-  const auto survey = measure(stand(0, 0, false));
+  const auto survey = measure(stand_on_terrain(0, 0, false));
   const auto* told = finding(survey.report, "terrain_filled_under_stems");
   ASSERT_TRUE(told);
   EXPECT_EQ(told->severity, Severity::look);
@@ -83,7 +83,7 @@ TEST(GroundCheck, WithoutGroundTheTerrainIsInterpolated) {
 
 // A cloud that was cut above the ground: as many feet as one likes do not tell by how much.
 TEST(GroundCheck, FeetAloneAreNoGroundToSignOn) {
-  auto cloud = stand(0, 0, false);
+  auto cloud = stand_on_terrain(0, 0, false);
   set_fact(cloud.points.facts, facts::terrain, "feet");
   const auto survey = measure(cloud);
   const auto* told = finding(survey.report, "terrain_filled_under_stems");
@@ -93,17 +93,17 @@ TEST(GroundCheck, FeetAloneAreNoGroundToSignOn) {
 }
 
 TEST(GroundCheck, StemsWithoutFeetBeginInTheAir) {
-  const auto survey = measure(stand(0.8, 0, false));
+  const auto survey = measure(stand_on_terrain(0.8, 0, false));
   const auto* told = finding(survey.report, "stems_begin_in_air");
   ASSERT_TRUE(told);
   EXPECT_THAT(told->text, HasSubstr("Give the cloud with its ground"));
   EXPECT_EQ(with_reason(survey, "begins 0."), survey.stems.size());
   // A hidden foot is harmless where the ground beside it was seen.
-  EXPECT_TRUE(measure(stand(0.8, 0, true)).report.findings.empty());
+  EXPECT_TRUE(measure(stand_on_terrain(0.8, 0, true)).report.findings.empty());
 }
 
 TEST(GroundCheck, HeightsOfANormalisedCloudNeedNoGround) {
-  auto cloud = stand(0.8, 0, false);
+  auto cloud = stand_on_terrain(0.8, 0, false);
   set_fact(cloud.points.facts, facts::terrain, "normalised");
   EXPECT_TRUE(measure(cloud).report.findings.empty());
 }

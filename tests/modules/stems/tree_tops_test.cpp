@@ -17,20 +17,20 @@ struct TrueTree {
   double height = 0, crown_base = 0, crown_radius = 0;
 };
 
-struct Stand {
+struct TallStand {
   std::vector<Stem> stems;
   PointCloud points;
 };
 
 // Bark up to the crown, leaves in a cone above it, and ground around.
-Stand stand_of(const std::vector<TrueTree>& trees) {
+TallStand stand_of(const std::vector<TrueTree>& trees) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> u(0, 1);
   PointCloud::Positions all;
   const auto add = [&](double x, double y, double z) {
     all.emplace_back(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
   };
-  Stand stand;
+  TallStand stand;
   for (const auto& t : trees) {
     Stem s;
     s.id = static_cast<int>(stand.stems.size()) + 1;
@@ -69,7 +69,7 @@ struct Tops {
   Report report;
 };
 
-Tops tops_of(Stand& stand, const MeasureOptions& options = {}) {
+Tops tops_of(TallStand& stand, const MeasureOptions& options = {}) {
   Tops out;
   out.labels = assign_points(stand.stems, stand.points, options, {});
   const auto growth = grow_crowns(stand.stems, stand.points, options, {}, out.labels);

@@ -21,7 +21,7 @@ using testing_checks::refusal_of;
 constexpr double begin_s = 1714551000;
 
 // Parallel lines 6 m apart over 30 m, walked at 0.9 m/s; the sensor looks ahead and nods.
-Trajectory walk() {
+Trajectory walk_in_lines() {
   Trajectory path;
   constexpr double step_s = 0.1, speed = 0.9;
   constexpr int lines = 6;
@@ -74,7 +74,7 @@ std::vector<TrackFix> track_of(const Trajectory& path, const TrackTruth& truth, 
 }
 
 TEST(TrackFit, ExactTracksGiveClockLeverAndPlace) {
-  const auto path = walk();
+  const auto path = walk_in_lines();
   const TrackTruth truth;
   const auto track = track_of(path, truth, 1e-4, 0, 1);
   const double offset = find_clock_offset(path, track, {0}, 30).offset_s;
@@ -94,7 +94,7 @@ struct Held {
 };
 
 Held held_with(double constant_s, double outlier_share, int seeds) {
-  const auto path = walk();
+  const auto path = walk_in_lines();
   Held held;
   for (int seed = 0; seed < seeds; ++seed) {
     const TrackTruth truth;
@@ -135,7 +135,7 @@ TEST(TrackFit, UncertaintiesHoldWithErrorsThatLast) {
 }
 
 TEST(TrackFit, TheOffsetFoundByShapeIsNearEnoughToStartFrom) {
-  const auto path = walk();
+  const auto path = walk_in_lines();
   const TrackTruth truth;
   const auto track = track_of(path, truth, 0.4, 10, 1, 0.05);
   const double offset = find_clock_offset(path, track, {0}, 30).offset_s;
@@ -143,7 +143,7 @@ TEST(TrackFit, TheOffsetFoundByShapeIsNearEnoughToStartFrom) {
 }
 
 TEST(TrackFit, ATimeOfDayIsUnderstood) {
-  const auto path = walk();
+  const auto path = walk_in_lines();
   TrackTruth truth;
   truth.offset_s = std::floor(begin_s / 86400) * 86400 + 3.2;
   const auto track = track_of(path, truth, 0.05, 0, 3);
@@ -152,7 +152,7 @@ TEST(TrackFit, ATimeOfDayIsUnderstood) {
 }
 
 TEST(TrackFit, ClocksWithoutAnythingInCommonAreFoundByTheShape) {
-  const auto path = walk();
+  const auto path = walk_in_lines();
   TrackTruth truth;
   truth.offset_s = begin_s - 4711.5;
   const auto track = track_of(path, truth, 0.3, 5, 4);
@@ -162,7 +162,7 @@ TEST(TrackFit, ClocksWithoutAnythingInCommonAreFoundByTheShape) {
 }
 
 TEST(TrackFit, RefusedWithTheReason) {
-  const auto path = walk();
+  const auto path = walk_in_lines();
   // A circle walked again and again has the same shape at every round.
   Trajectory round;
   for (int i = 0; i < 6000; ++i) {
@@ -180,7 +180,7 @@ TEST(TrackFit, RefusedWithTheReason) {
 }
 
 TEST(TrackPlace, ATableOfFixesPlacesThePlot) {
-  const auto path = walk();
+  const auto path = walk_in_lines();
   const TrackTruth truth;
   const auto track = track_of(path, truth, 0.02, 0, 7);
   Table table;

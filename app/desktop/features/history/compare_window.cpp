@@ -20,13 +20,13 @@
 namespace bole::desktop {
 namespace {
 
-QString number(double value) {
+QString shown_number(double value) {
   const double size = std::abs(value);
   if (value == std::round(value) && size < 1e9) return QString::number(value, 'f', 0);
   return QString::number(value, 'f', size >= 100 ? 1 : size >= 1 ? 2 : 4);
 }
 
-QString number(const std::optional<double>& value) { return value ? number(*value) : QString(); }
+QString shown_number(const std::optional<double>& value) { return value ? shown_number(*value) : QString(); }
 
 }  // namespace
 
@@ -152,10 +152,10 @@ void CompareWindow::fill_table() {
     if (!n.main && !all_numbers_->isChecked()) continue;
     QString difference;
     if (n.first && n.second) {
-      difference = number(*n.second - *n.first);
+      difference = shown_number(*n.second - *n.first);
       if (*n.second > *n.first) difference.prepend('+');
     }
-    add({n.stage, n.name, number(n.first), number(n.second), difference, n.unit});
+    add({n.stage, n.name, shown_number(n.first), shown_number(n.second), difference, n.unit});
   }
   table_->resizeColumnsToContents();
 }

@@ -31,7 +31,7 @@ std::vector<Lesson> fitting_lessons(Workbench& bench) {
   return fitting;
 }
 
-void make_commands(Workbench& bench, LessonGuide* guide) {
+void make_lesson_commands(Workbench& bench, LessonGuide* guide) {
   auto& commands = bench.commands();
   commands.add_submenu({.id = "lesson.menu", .title = Workbench::tr("Lessons"), .place = in_menu(Menu::help)});
   commands.add({.id = "lesson.list",
@@ -88,7 +88,7 @@ void make_commands(Workbench& bench, LessonGuide* guide) {
 
 void install_lesson(Workbench& bench) {
   auto* guide = new LessonGuide(bench, fitting_lessons(bench));
-  make_commands(bench, guide);
+  make_lesson_commands(bench, guide);
   auto* panel = new LessonPanel(*guide, bench.commands(), &bench);
   bench.docks().add("lesson", Workbench::tr("Lesson"), panel, Qt::LeftDockWidgetArea, "options")->hide();
 }

@@ -28,7 +28,7 @@ void make_progress(Workbench* b) {
   QObject::connect(&b->runner(), &Runner::jobs_changed, bar, [b, bar] { bar->setVisible(b->runner().running()); });
 }
 
-void make_commands(Workbench* b) {
+void make_run_commands(Workbench* b) {
   auto& commands = b->commands();
   commands.add({.id = "run.all",
                 .text = Workbench::tr("Run"),
@@ -72,7 +72,7 @@ void make_training(Workbench* b) {
 }  // namespace
 
 void install_run(Workbench& bench) {
-  make_commands(&bench);
+  make_run_commands(&bench);
   make_progress(&bench);
   bench.docks().add("jobs", Workbench::tr("Jobs"), new JobsPanel(bench.runner(), &bench), Qt::BottomDockWidgetArea,
                     "stems");

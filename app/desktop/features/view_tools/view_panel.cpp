@@ -20,7 +20,7 @@
 namespace bole::desktop {
 namespace {
 
-QDoubleSpinBox* number(const char* id, const QString& tip, double step, int decimals, const QString& unit) {
+QDoubleSpinBox* number_box(const char* id, const QString& tip, double step, int decimals, const QString& unit) {
   auto* box = new QDoubleSpinBox;
   box->setObjectName(id);
   box->setToolTip(tip);
@@ -111,13 +111,13 @@ void ViewPanel::make_color_rows(QFormLayout* form) {
   connect(map_, QOverload<int>::of(&QComboBox::activated), this,
           [this] { change([this](auto& s) { s.color_map = map_->currentData().toString().toStdString(); }); });
   form->addRow(tr("Colour map"), map_);
-  range_lo_ = number("view_range_lo", tr("Takes the first colour of the map"), 0.5, 2, {});
-  range_hi_ = number("view_range_hi", tr("Takes the last colour of the map"), 0.5, 2, {});
+  range_lo_ = number_box("view_range_lo", tr("Takes the first colour of the map"), 0.5, 2, {});
+  range_hi_ = number_box("view_range_hi", tr("Takes the last colour of the map"), 0.5, 2, {});
   auto* automatic = button("view_range_auto", tr("Auto"), tr("The range of the middle 96 % of the values"));
   for (auto* box : {range_lo_, range_hi_}) connect(box, changed, this, &ViewPanel::take_range);
   connect(automatic, &QPushButton::clicked, this, [this] { change([](auto& s) { s.color_range.reset(); }); });
   form->addRow(tr("Range"), row_of({range_lo_, range_hi_, automatic}));
-  point_size_ = number("view_point_size", tr("Size of a point on the screen"), 1, 0, tr(" px"));
+  point_size_ = number_box("view_point_size", tr("Size of a point on the screen"), 1, 0, tr(" px"));
   point_size_->setRange(1, 12);
   connect(point_size_, changed, this, [this](double px) { change([px](auto& s) { s.point_size_px = px; }); });
   form->addRow(tr("Point size"), point_size_);
@@ -127,8 +127,8 @@ void ViewPanel::make_height_rows(QFormLayout* form) {
   heights_ = new RangeSlider;
   heights_->setObjectName("view_heights");
   heights_->setToolTip(tr("Heights above ground that are drawn; drag the middle to move the layer"));
-  height_lo_ = number("view_height_lo", tr("Minimum height above ground that is drawn"), 0.1, 2, tr(" m"));
-  height_hi_ = number("view_height_hi", tr("Maximum height above ground that is drawn"), 0.1, 2, tr(" m"));
+  height_lo_ = number_box("view_height_lo", tr("Minimum height above ground that is drawn"), 0.1, 2, tr(" m"));
+  height_hi_ = number_box("view_height_hi", tr("Maximum height above ground that is drawn"), 0.1, 2, tr(" m"));
   auto* all = button("view_heights_all", tr("All"), tr("Draws all heights"));
   connect(heights_, &RangeSlider::dragged, this,
           [this](const render::Interval& range) { take_heights(range.lo, range.hi); });
@@ -155,7 +155,7 @@ void ViewPanel::make_clip_rows(QFormLayout* form) {
   const QString tips[] = {tr("Minimum x"), tr("Maximum x"), tr("Minimum y"),
                           tr("Maximum y"), tr("Minimum z"), tr("Maximum z")};
   for (std::size_t k = 0; k < box_.size(); ++k) {
-    box_[k] = number(ids[k], tips[k], 0.5, 2, tr(" m"));
+    box_[k] = number_box(ids[k], tips[k], 0.5, 2, tr(" m"));
     connect(box_[k], changed, this, &ViewPanel::take_clip);
   }
   form->addRow(tr("x"), row_of({box_[0], box_[1]}));

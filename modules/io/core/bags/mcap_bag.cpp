@@ -9,9 +9,9 @@
 namespace bole::io {
 namespace {
 
-constexpr std::string_view magic("\x89MCAP0\r\n", 8);
+constexpr std::string_view mcap_magic("\x89MCAP0\r\n", 8);
 constexpr std::uint32_t outside_chunks = std::numeric_limits<std::uint32_t>::max();
-enum Operation {
+enum McapOperation {
   footer = 2,
   schema_record = 3,
   channel_record = 4,
@@ -23,15 +23,13 @@ enum Operation {
   data_end = 15
 };
 
-std::string_view text_of(Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
-
 }  // namespace
 
-bool is_mcap(Bytes file) { return text_of(file).starts_with(magic.substr(0, 5)); }
+bool is_mcap(Bytes file) { return text_of(file).starts_with(mcap_magic.substr(0, 5)); }
 
 McapBag::McapBag(Bytes file, const std::string& name, const Run& run) : file_(file), name_(name) {
   if (!is_mcap(file)) throw bad_input("'" + name + "' is no MCAP file", "an MCAP file");
-  if (!text_of(file).starts_with(magic))
+  if (!text_of(file).starts_with(mcap_magic))
     throw bad_input("'" + name + "' is an MCAP file of another version", "MCAP version 0");
   if (read_summary()) return;
   topics_.clear();
@@ -138,19 +136,19 @@ bool McapBag::open_chunk(const Record& record, Chunk& chunk) {
 
 bool McapBag::read_summary() {
   constexpr std::size_t footer_bytes = 1 + 8 + 8 + 8 + 4;
-  if (file_.size() < 2 * magic.size() + footer_bytes || !text_of(file_).ends_with(magic)) return false;
-  const auto end = file_.size() - magic.size() - footer_bytes;
+  if (file_.size() < 2 * mcap_magic.size() + footer_bytes || !text_of(file_).ends_with(mcap_magic)) return false;
+  const auto end = file_.size() - mcap_magic.size() - footer_bytes;
   const auto last = record_at(file_, end);
   const auto begin = RecordReader(last.data).get<std::uint64_t>();
   if (last.operation == footer && begin == 0) ending_ = Ending::whole;  // written without a summary
-  if (last.operation != footer || begin < magic.size() || begin >= end) return false;
+  if (last.operation != footer || begin < mcap_magic.size() || begin >= end) return false;
   std::vector<Record> records;
   for (auto at = static_cast<std::size_t>(begin); at < end;) {
     records.push_back(record_at(file_, at));
     if (!records.back().whole) return false;
     at = records.back().end;
   }
-  const auto each = [&records](Operation operation, auto&& use) {
+  const auto each = [&records](McapOperation operation, auto&& use) {
     for (const auto& record : records)
       if (record.operation == operation) use(record.data);
   };
@@ -185,7 +183,7 @@ void McapBag::count_message(std::uint16_t channel, std::int64_t time_ns) {
 }
 
 void McapBag::scan(const Run& run) {
-  std::size_t at = magic.size();
+  std::size_t at = mcap_magic.size();
   while (at < file_.size()) {
     run.check_cancel();
     run.report(static_cast<double>(at) / static_cast<double>(file_.size()), "looking for messages");

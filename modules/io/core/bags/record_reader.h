@@ -8,6 +8,8 @@
 
 namespace bole::io {
 
+inline std::string_view text_of(Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
 class RecordReader {
  public:
   explicit RecordReader(Bytes bytes) : bytes_(bytes) {}
@@ -30,10 +32,7 @@ class RecordReader {
   }
   // A length of 32 bits, and as many bytes.
   Bytes block() { return take(get<std::uint32_t>()); }
-  std::string_view text() {
-    const auto bytes = block();
-    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-  }
+  std::string_view text() { return text_of(block()); }
 
   bool ok() const { return ok_; }
   bool at_end() const { return at_ == bytes_.size(); }

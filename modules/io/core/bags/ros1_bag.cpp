@@ -10,8 +10,8 @@
 namespace bole::io {
 namespace {
 
-constexpr std::string_view magic = "#ROSBAG V2.0\n";
-enum Operation { message_data = 2, bag_header = 3, index_data = 4, chunk_data = 5, chunk_info = 6, connection = 7 };
+constexpr std::string_view ros1_magic = "#ROSBAG V2.0\n";
+enum Ros1Operation { message_data = 2, bag_header = 3, index_data = 4, chunk_data = 5, chunk_info = 6, connection = 7 };
 
 std::int64_t nanoseconds(std::uint32_t seconds, std::uint32_t rest) {
   return std::int64_t{seconds} * 1'000'000'000 + rest;
@@ -23,8 +23,6 @@ std::int64_t time_field(Bytes value) {
   return nanoseconds(seconds, reader.get<std::uint32_t>());
 }
 
-std::string_view text_of(Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
-
 }  // namespace
 
 bool is_ros1_bag(Bytes file) {
@@ -34,12 +32,12 @@ bool is_ros1_bag(Bytes file) {
 
 Ros1Bag::Ros1Bag(Bytes file, const std::string& name, const Run& run) : file_(file), name_(name) {
   const auto head = text_of(file);
-  if (!head.starts_with(magic))
+  if (!head.starts_with(ros1_magic))
     throw bad_input("'" + name + "' is " +
                         (is_ros1_bag(file) ? "a bag of version '" + std::string(head.substr(0, head.find('\n'))) + "'"
                                            : "no ROS 1 bag"),
                     "a bag of version 2.0", is_ros1_bag(file) ? "Convert it with rosbag migrate" : "");
-  const auto header = record_at(file_, magic.size());
+  const auto header = record_at(file_, ros1_magic.size());
   const auto position = header.whole ? number<std::uint64_t>(header.header, "index_pos") : std::nullopt;
   if (position && *position > header.end && read_index(*position)) return;
   topics_.clear();
@@ -113,7 +111,7 @@ std::optional<Ros1Bag::Chunk> Ros1Bag::open_chunk(const Record& record) {
 }
 
 bool Ros1Bag::read_index(std::uint64_t position) {
-  const auto header = record_at(file_, magic.size());
+  const auto header = record_at(file_, ros1_magic.size());
   const auto chunk_count = number<std::uint32_t>(header.header, "chunk_count");
   for (auto at = static_cast<std::size_t>(std::min<std::uint64_t>(position, file_.size())); at < file_.size();) {
     const auto record = record_at(file_, at);
@@ -161,7 +159,7 @@ bool Ros1Bag::is_unfinished(const Record& record) const {
 }
 
 void Ros1Bag::scan(const Run& run) {
-  std::size_t at = magic.size();
+  std::size_t at = ros1_magic.size();
   while (at < file_.size()) {
     run.check_cancel();
     run.report(static_cast<double>(at) / static_cast<double>(file_.size()), "looking for messages");

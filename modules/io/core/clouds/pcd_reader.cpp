@@ -157,7 +157,7 @@ double ascii_value(const SourceField& field, char type, std::string_view word) {
   return value;
 }
 
-CloudReading read_ascii(Bytes data, const PcdHeader& header, const CloudReadOptions& options, const Run& run) {
+CloudReading read_ascii_pcd(Bytes data, const PcdHeader& header, const CloudReadOptions& options, const Run& run) {
   const auto fields = flat_fields(header);
   CloudBuilder builder(fields, options);
   std::vector<char> types;
@@ -188,7 +188,7 @@ CloudReading read_ascii(Bytes data, const PcdHeader& header, const CloudReadOpti
   return out;
 }
 
-CloudReading read_binary(Bytes data, const PcdHeader& header, const CloudReadOptions& options, const Run& run) {
+CloudReading read_binary_pcd(Bytes data, const PcdHeader& header, const CloudReadOptions& options, const Run& run) {
   const auto fields = flat_fields(header);
   CloudBuilder builder(fields, options);
   const std::size_t record = header.record_bytes();
@@ -294,9 +294,9 @@ CloudReading read_pcd(Bytes file, const CloudReadOptions& options, const Run& ru
   if (header.fields.empty()) throw bad_input("the PCD header names no fields", "a line FIELDS x y z");
   CloudReading out;
   if (header.data == "ascii") {
-    out = read_ascii(data, header, options, run);
+    out = read_ascii_pcd(data, header, options, run);
   } else if (header.data == "binary") {
-    out = read_binary(data, header, options, run);
+    out = read_binary_pcd(data, header, options, run);
   } else if (header.data == "binary_compressed") {
     out = read_compressed(data, header, options, run);
   } else {

@@ -161,8 +161,8 @@ std::size_t min_record(const Element& element) {
   return std::max<std::size_t>(1, bytes);  // an element may have no properties
 }
 
-CloudReading read_binary(Bytes data, const Header& header, std::size_t vertex_index, const CloudReadOptions& options,
-                         const Run& run) {
+CloudReading read_binary_ply(Bytes data, const Header& header, std::size_t vertex_index,
+                             const CloudReadOptions& options, const Run& run) {
   const bool little = header.format == "binary_little_endian";
   BinaryWalker walker(data, little != (std::endian::native == std::endian::little));
   const auto& vertex = header.elements[vertex_index];
@@ -202,8 +202,8 @@ bool read_words(const std::vector<std::string_view>& words, const Element& eleme
   return true;
 }
 
-CloudReading read_ascii(Bytes data, const Header& header, std::size_t vertex_index, const CloudReadOptions& options,
-                        const Run& run) {
+CloudReading read_ascii_ply(Bytes data, const Header& header, std::size_t vertex_index, const CloudReadOptions& options,
+                            const Run& run) {
   const auto& vertex = header.elements[vertex_index];
   const auto fields = scalar_fields(vertex);
   CloudBuilder builder(fields, options);
@@ -258,9 +258,9 @@ CloudReading read_ply(Bytes file, const CloudReadOptions& options, const Run& ru
     const auto index = static_cast<std::size_t>(vertex - header.elements.begin());
     const Bytes data = file.subspan(header.data_offset);
     if (header.format == "ascii") {
-      out = read_ascii(data, header, index, options, run);
+      out = read_ascii_ply(data, header, index, options, run);
     } else if (header.format == "binary_little_endian" || header.format == "binary_big_endian") {
-      out = read_binary(data, header, index, options, run);
+      out = read_binary_ply(data, header, index, options, run);
     } else {
       throw bad_input("the PLY format is '" + header.format.substr(0, 40) + "'",
                       "ascii, binary_little_endian or binary_big_endian");

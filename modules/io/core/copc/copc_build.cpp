@@ -32,7 +32,7 @@ struct OpenNode {
   bool has_children = false;
 };
 
-Eigen::Vector3i key_of(const Cube& cube) { return {cube[0], cube[1], cube[2]}; }
+Eigen::Vector3i key_of_cube(const Cube& cube) { return {cube[0], cube[1], cube[2]}; }
 
 // A folder that goes when the work is done or given up.
 class ScratchFolder {
@@ -73,7 +73,7 @@ class Builder {
     file_.emplace(path, stream_, root_);
     const auto root = branch(0, {0, 0, 0});
     if (root.records.empty()) throw bad_input("the file holds no points", "a cloud");
-    file_->write({{root.level, key_of(root.key), root.records}});
+    file_->write({{root.level, key_of_cube(root.key), root.records}});
     return file_->finish();
   }
 
@@ -200,7 +200,7 @@ class Builder {
     OctreeOptions octree_options = options_.octree;
     octree_options.root = root_;
     octree_options.root->level = level;
-    octree_options.root->key = key_of(key);
+    octree_options.root->key = key_of_cube(key);
     const OctreePoints points{records.size() / stride_, stream_.form.grid,
                               [&](std::size_t i) { return steps_at(&records[i * stride_]); }};
     const auto octree = build_octree(points, run_, octree_options);
@@ -248,7 +248,8 @@ class Builder {
     for (auto& child : children) take_share(child, level, taken, node.records);
     std::vector<NodeFile::Node> rest;
     for (const auto& child : children)
-      if (!child.records.empty() || child.has_children) rest.push_back({child.level, key_of(child.key), child.records});
+      if (!child.records.empty() || child.has_children)
+        rest.push_back({child.level, key_of_cube(child.key), child.records});
     file_->write(rest);
     return node;
   }

@@ -15,7 +15,7 @@ constexpr int page_levels = 4;                // of a page, where there are seve
 constexpr std::size_t min_page_nodes = 64;
 
 using Key = std::tuple<int, int, int, int>;
-Key key_of(const OctreeNode& node) { return {node.level, node.key.x(), node.key.y(), node.key.z()}; }
+Key key_of_node(const OctreeNode& node) { return {node.level, node.key.x(), node.key.y(), node.key.z()}; }
 
 // The nodes of each page, and behind them the pages that begin below it.
 struct Page {
@@ -27,7 +27,7 @@ struct Page {
 
 std::vector<std::size_t> parents_of(const std::vector<OctreeNode>& nodes) {
   std::map<Key, std::size_t> place;
-  for (std::size_t i = 0; i < nodes.size(); ++i) place[key_of(nodes[i])] = i;
+  for (std::size_t i = 0; i < nodes.size(); ++i) place[key_of_node(nodes[i])] = i;
   std::vector<std::size_t> parents(nodes.size(), 0);
   for (std::size_t i = 1; i < nodes.size(); ++i) {
     const auto& n = nodes[i];

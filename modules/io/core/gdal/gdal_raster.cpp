@@ -15,19 +15,19 @@ namespace bole::io {
 
 namespace {
 
-void require(bool ok, const gdal::Errors& errors, const std::filesystem::path& path, const char* what) {
+void require_raster(bool ok, const gdal::Errors& errors, const std::filesystem::path& path, const char* what) {
   if (!ok) throw failure(fmt::format("'{}': {} failed: {}", path.string(), what, errors.last()));
 }
 
 void fill(GDALDataset& set, const Raster& raster, const gdal::Errors& errors, const std::filesystem::path& path) {
   double transform[6] = {raster.origin.x(), raster.cell_m, 0, raster.origin.y() + raster.ny * raster.cell_m, 0,
                          -raster.cell_m};
-  require(set.SetGeoTransform(transform) == CE_None, errors, path, "placing the raster");
+  require_raster(set.SetGeoTransform(transform) == CE_None, errors, path, "placing the raster");
   if (!raster.crs_wkt.empty()) {
     OGRSpatialReference crs;
     if (crs.importFromWkt(raster.crs_wkt.c_str()) != OGRERR_NONE)
       throw bad_input("the raster's coordinate reference system is not WKT that PROJ knows", "WKT 1 or 2");
-    require(set.SetSpatialRef(&crs) == CE_None, errors, path, "setting the coordinate reference system");
+    require_raster(set.SetSpatialRef(&crs) == CE_None, errors, path, "setting the coordinate reference system");
   }
   GDALRasterBand& band = *set.GetRasterBand(1);
   band.SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
@@ -37,8 +37,8 @@ void fill(GDALDataset& set, const Raster& raster, const gdal::Errors& errors, co
   for (int iy = 0; iy < raster.ny; ++iy) {
     std::copy_n(raster.values.begin() + static_cast<std::ptrdiff_t>(raster.ny - 1 - iy) * raster.nx, raster.nx,
                 row.begin());
-    require(band.RasterIO(GF_Write, 0, iy, raster.nx, 1, row.data(), raster.nx, 1, GDT_Float32, 0, 0) == CE_None,
-            errors, path, "writing a row");
+    require_raster(band.RasterIO(GF_Write, 0, iy, raster.nx, 1, row.data(), raster.nx, 1, GDT_Float32, 0, 0) == CE_None,
+                   errors, path, "writing a row");
   }
 }
 
@@ -73,12 +73,12 @@ void write_geotiff(const std::filesystem::path& path, const Raster& raster) {
     const char* const options[] = {"COMPRESS=DEFLATE", "PREDICTOR=3", "BIGTIFF=IF_SAFER", nullptr};
     gdal::Dataset set(
         driver.Create(temporary.c_str(), raster.nx, raster.ny, 1, GDT_Float32, const_cast<char**>(options)));
-    require(set != nullptr, errors, path, "creating the file");
+    require_raster(set != nullptr, errors, path, "creating the file");
     fill(*set, raster, errors, path);
     // Only closing the file writes its last part and shows that the disk is full.
     CPLErrorReset();
     set.reset();
-    require(CPLGetLastErrorType() < CE_Failure, errors, path, "writing the file");
+    require_raster(CPLGetLastErrorType() < CE_Failure, errors, path, "writing the file");
   });
 }
 

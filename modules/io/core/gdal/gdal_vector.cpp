@@ -18,7 +18,7 @@ namespace bole::io {
 
 namespace {
 
-void require(bool ok, const gdal::Errors& errors, const VectorLayer& layer, const char* what) {
+void require_layer(bool ok, const gdal::Errors& errors, const VectorLayer& layer, const char* what) {
   if (!ok) throw failure(fmt::format("layer '{}': {} failed: {}", layer.name, what, errors.last()));
 }
 
@@ -90,7 +90,7 @@ void define_fields(OGRLayer& out, const VectorLayer& layer, const gdal::Errors& 
   constexpr OGRFieldType types[] = {OFTReal, OFTInteger64, OFTString};
   for (const auto& column : layer.attributes.columns()) {
     OGRFieldDefn field(field_name(column.name).c_str(), types[column.values.index()]);
-    require(out.CreateField(&field) == OGRERR_NONE, errors, layer, "defining a field");
+    require_layer(out.CreateField(&field) == OGRERR_NONE, errors, layer, "defining a field");
   }
 }
 
@@ -127,7 +127,7 @@ void add_layer(GDALDataset& set, const VectorLayer& layer, const gdal::Errors& e
     throw bad_input(fmt::format("the coordinate reference system of layer '{}' is not WKT that PROJ knows", layer.name),
                     "WKT 1 or 2");
   OGRLayer* out = set.CreateLayer(layer.name.c_str(), has_crs ? &crs : nullptr, geometry_type(layer.geometry), nullptr);
-  require(out != nullptr, errors, layer, "creating it");
+  require_layer(out != nullptr, errors, layer, "creating it");
   define_fields(*out, layer, errors);
   const std::size_t features = layer.geometry == GeometryKind::none ? layer.attributes.rows() : layer.shapes.size();
   const bool transaction =
@@ -138,9 +138,9 @@ void add_layer(GDALDataset& set, const VectorLayer& layer, const gdal::Errors& e
     set_fields(*feature, layer, i);
     if (layer.geometry != GeometryKind::none)
       feature->SetGeometryDirectly(make_geometry(layer.geometry, layer.shapes[i]).release());
-    require(out->CreateFeature(feature.get()) == OGRERR_NONE, errors, layer, "writing a row");
+    require_layer(out->CreateFeature(feature.get()) == OGRERR_NONE, errors, layer, "writing a row");
   }
-  if (transaction) require(set.CommitTransaction() == OGRERR_NONE, errors, layer, "committing its rows");
+  if (transaction) require_layer(set.CommitTransaction() == OGRERR_NONE, errors, layer, "committing its rows");
 }
 
 // The table that QGIS reads the styles of the layers of a GeoPackage from.
@@ -151,11 +151,11 @@ void add_styles(GDALDataset& set, const std::vector<VectorLayer>& layers, const 
   char id_column[] = "FID=id";
   char* creation[] = {id_column, nullptr};
   OGRLayer* out = set.CreateLayer("layer_styles", nullptr, wkbNone, creation);
-  require(out != nullptr, errors, table, "creating it");
+  require_layer(out != nullptr, errors, table, "creating it");
   const auto define = [&](const char* name, OGRFieldType type, OGRFieldSubType subtype = OFSTNone) {
     OGRFieldDefn field(name, type);
     field.SetSubType(subtype);
-    require(out->CreateField(&field) == OGRERR_NONE, errors, table, "defining a field");
+    require_layer(out->CreateField(&field) == OGRERR_NONE, errors, table, "defining a field");
   };
   for (const char* name :
        {"f_table_catalog", "f_table_schema", "f_table_name", "f_geometry_column", "styleName", "styleQML", "styleSLD"})
@@ -178,7 +178,7 @@ void add_styles(GDALDataset& set, const std::vector<VectorLayer>& layers, const 
     row->SetField("description", "written by Bole");
     const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
     row->SetField("update_time", fmt::format("{:%Y-%m-%dT%H:%M:%S}Z", now).c_str());
-    require(out->CreateFeature(row.get()) == OGRERR_NONE, errors, table, "writing a row");
+    require_layer(out->CreateFeature(row.get()) == OGRERR_NONE, errors, table, "writing a row");
   }
 }
 
@@ -233,11 +233,11 @@ void write_geojson(const std::filesystem::path& path, const VectorLayer& layer) 
           "WKT 1 or 2");
     const std::unique_ptr<OGRCoordinateTransformation, void (*)(OGRCoordinateTransformation*)> transformation(
         OGRCreateCoordinateTransformation(&from, &to), OGRCoordinateTransformation::DestroyCT);
-    require(transformation != nullptr, errors, layer, "finding the transformation to longitude and latitude");
+    require_layer(transformation != nullptr, errors, layer, "finding the transformation to longitude and latitude");
     for (auto& shape : out.shapes)
       for (auto& v : shape)
-        require(transformation->Transform(1, &v.x(), &v.y()) != FALSE && v.allFinite(), errors, layer,
-                "transforming a coordinate to longitude and latitude");
+        require_layer(transformation->Transform(1, &v.x(), &v.y()) != FALSE && v.allFinite(), errors, layer,
+                      "transforming a coordinate to longitude and latitude");
     out.crs_wkt.clear();
   }
   write_vector(path, "GeoJSON", {out});

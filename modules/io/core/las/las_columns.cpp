@@ -11,15 +11,6 @@ namespace bole::io::las {
 
 namespace {
 
-constexpr std::array<const ArrayInfo*, 3> sensor_position{&arrays::sensor_x, &arrays::sensor_y, &arrays::sensor_z};
-
-// The sensor position is written as a global coordinate, because the cloud that is read back has another origin.
-int sensor_axis(const ExtraDimension& dimension) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (dimension.name == sensor_position[static_cast<std::size_t>(axis)]->name) return axis;
-  return -1;
-}
-
 template <class T>
 bool any_set(const std::vector<T>& values) {
   return std::ranges::any_of(values, [](T v) { return v != T{}; });
@@ -68,7 +59,7 @@ ColumnBuilder::ColumnBuilder(int point_format, int record_length, std::vector<Ex
       stride_(static_cast<std::size_t>(record_length)),
       dimensions_(std::move(dimensions)) {
   for (const auto& dimension : dimensions_)
-    extra_.push_back(make_column(sensor_axis(dimension) >= 0 ? ArrayType::float64 : dimension.column_type(), 0));
+    extra_.push_back(make_column(sensor_axis(dimension.name) >= 0 ? ArrayType::float64 : dimension.column_type(), 0));
 }
 
 // The columns that the point format has, without the positions.
@@ -267,7 +258,7 @@ void ColumnBuilder::finish_flags(PointCloud& cloud) {
 void ColumnBuilder::finish_extra(PointCloud& cloud, const Run& run) {
   for (std::size_t d = 0; d < dimensions_.size(); ++d) {
     run.check_cancel();
-    if (const int axis = sensor_axis(dimensions_[d]); axis >= 0)
+    if (const int axis = sensor_axis(dimensions_[d].name); axis >= 0)
       finish_sensor_axis(cloud, d, axis, run);
     else
       std::visit([&](auto& values) { set(cloud, dimensions_[d].name, values); }, extra_[d]);

@@ -72,6 +72,10 @@ double stored_number(ExtraType type, const std::uint8_t* at) {
 
 }  // namespace
 
+int sensor_axis(std::string_view name) {
+  return name == arrays::sensor_x.name ? 0 : name == arrays::sensor_y.name ? 1 : name == arrays::sensor_z.name ? 2 : -1;
+}
+
 std::size_t extra_type_size(ExtraType type) {
   std::size_t size = 0;
   with_type(type, [&](auto v) { size = sizeof v; });

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cloud/point_cloud.h"
@@ -25,6 +26,10 @@ struct ExtraDimension {
   // Type of the column: that of the vocabulary for its names, else the smallest that holds the values.
   ArrayType column_type() const;
 };
+
+// 0, 1 or 2 of an array with the position of the sensor, else -1. That position is written as a global coordinate,
+// because the cloud that is read back has another origin.
+int sensor_axis(std::string_view name);
 
 inline constexpr std::size_t extra_descriptor_size = 192;
 

@@ -38,10 +38,6 @@ ExtraType extra_type(const Column& column) {
   return types[column.index()];
 }
 
-int sensor_axis(std::string_view name) {
-  return name == arrays::sensor_x.name ? 0 : name == arrays::sensor_y.name ? 1 : name == arrays::sensor_z.name ? 2 : -1;
-}
-
 double whole_offset(double origin, double scale) {
   // Whole kilometres print and compare best; whole metres are nearly as good.
   for (const double unit : {1000.0, 1.0}) {

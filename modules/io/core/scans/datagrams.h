@@ -8,12 +8,20 @@
 
 namespace bole::io {
 
+// How many packets a reader looks at to know the sensor.
+inline constexpr int sampled_packets = 256;
+
 struct Datagram {
   double time_s = 0;                      // recording time, seconds since the Unix epoch
   std::int64_t offset = 0;                // its place in the recording, for DatagramReader::seek
   std::uint16_t port = 0;                 // UDP destination port; 0 in a bag
   std::span<const std::uint8_t> payload;  // valid until the next call
 };
+
+// A number of a network header: highest byte first.
+inline std::uint16_t big16(std::span<const std::uint8_t> p, std::size_t i) {
+  return static_cast<std::uint16_t>(p[i] << 8 | p[i + 1]);
+}
 
 class DatagramReader {
  public:

@@ -11,7 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int sampled_packets = 256;
 constexpr std::uintmax_t max_correction_bytes = 1 << 20;
 
 const sensor::HesaiLayout* layout_of(DatagramReader& reader) {

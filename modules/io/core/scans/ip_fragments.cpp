@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "io/core/scans/datagrams.h"
+
 namespace bole::io {
 namespace {
 
 constexpr std::size_t max_partial = 16;  // datagrams at a time; each holds 64 KiB at most
-
-std::size_t get16(Bytes p, std::size_t i) { return static_cast<std::size_t>(p[i] << 8 | p[i + 1]); }
 
 }  // namespace
 
@@ -22,13 +22,13 @@ void IpFragments::drop_all() {
 
 std::optional<IpFragments::Whole> IpFragments::add(Bytes packet, std::int64_t offset) {
   const std::size_t header = static_cast<std::size_t>(packet[0] & 0x0F) * 4;
-  const std::size_t declared = get16(packet, 2);
+  const std::size_t declared = big16(packet, 2);
   if (declared > packet.size() || declared <= header) {
     ++lost_;  // cut by the length limit of the capture
     return {};
   }
   const auto piece = packet.subspan(header, declared - header);
-  const std::size_t at = (get16(packet, 6) & 0x1FFF) * 8;
+  const std::size_t at = (std::size_t{big16(packet, 6)} & 0x1FFF) * 8;
   const bool more = (packet[6] & 0x20) != 0;
   Key key;
   std::copy_n(packet.begin() + 12, 8, key.begin());

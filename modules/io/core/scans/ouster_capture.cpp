@@ -13,8 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int sampled_packets = 256;
-
 // The lengths of the first packets, and the serial numbers that those of the newer profiles have.
 struct Sample {
   std::set<std::size_t> lengths;

@@ -15,10 +15,6 @@ namespace {
 
 constexpr std::size_t buffer_bytes = 1 << 18;
 
-std::uint16_t get16(std::span<const std::uint8_t> p, std::size_t i) {
-  return static_cast<std::uint16_t>(p[i] << 8 | p[i + 1]);
-}
-
 // The packet behind the link header, or nothing where it is not IP.
 std::optional<Bytes> ip_packet(Bytes frame, int link_type) {
   std::size_t type_at = 0, header = 0;
@@ -42,9 +38,9 @@ std::optional<Bytes> ip_packet(Bytes frame, int link_type) {
       return frame;
   }
   if (frame.size() < header) return std::nullopt;
-  std::uint16_t type = get16(frame, type_at);
+  std::uint16_t type = big16(frame, type_at);
   while ((type == 0x8100 || type == 0x88A8) && frame.size() >= header + 4) {  // VLAN tags
-    type = get16(frame, header + 2);
+    type = big16(frame, header + 2);
     header += 4;
   }
   if (type != 0x0800 && type != 0x86DD) return std::nullopt;
@@ -60,11 +56,11 @@ Kind udp_of(Bytes packet, Bytes& udp) {
   if (version == 4) {
     header = static_cast<std::size_t>(packet[0] & 0x0F) * 4;
     if (header < 20 || packet.size() < header || packet[9] != 17) return Kind::other;
-    if ((get16(packet, 6) & 0x3FFF) != 0) {
+    if ((big16(packet, 6) & 0x3FFF) != 0) {
       udp = packet;
       return Kind::fragment;
     }
-    const std::size_t length = get16(packet, 2);
+    const std::size_t length = big16(packet, 2);
     if (length >= header && length < packet.size()) packet = packet.first(length);  // Ethernet padding
   } else if (version == 6) {
     if (packet.size() < header) return Kind::other;
@@ -157,8 +153,8 @@ bool PcapReader::next(Datagram& datagram, const std::function<void(std::int64_t)
       ++skipped_;
       continue;
     }
-    const std::size_t length = get16(udp, 4);
-    datagram.port = get16(udp, 2);
+    const std::size_t length = big16(udp, 4);
+    datagram.port = big16(udp, 2);
     datagram.payload = udp.subspan(8);
     if (length >= 8 && length - 8 < datagram.payload.size()) datagram.payload = datagram.payload.first(length - 8);
     // Nanoseconds, as asked for above.

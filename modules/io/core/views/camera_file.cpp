@@ -44,7 +44,7 @@ void take_matrix(Json& json) {
   json["cy"] = columns ? m[7] : m[5];
 }
 
-CameraModel camera_of(const Json& json) {
+CameraModel camera_from_json(const Json& json) {
   CameraModel camera;
   camera.width = whole_number_at(json, "width");
   camera.height = whole_number_at(json, "height");
@@ -80,7 +80,7 @@ void take_depth_camera(const Json& json, RgbdCamera& camera, Report& report) {
   if (!json["depth"].is_object())
     throw bad_input("the entry 'depth' is " + shown(json["depth"]), "a camera: width, height, fx, fy, cx, cy");
   try {
-    camera.depth = camera_of(json["depth"]);
+    camera.depth = camera_from_json(json["depth"]);
   } catch (const Error& e) {
     throw e.at("depth");
   }
@@ -143,7 +143,7 @@ RgbdCamera parse_camera(Bytes text, bool with_depth, Report& report) {
   auto json = parse_object(text, camera_needed);
   if (holds(json, "intrinsic_matrix")) take_matrix(json);
   RgbdCamera camera;
-  camera.color = camera_of(json);
+  camera.color = camera_from_json(json);
   take_depth_scale(json, with_depth, camera, report);
   take_depth_camera(json, camera, report);
   return camera;

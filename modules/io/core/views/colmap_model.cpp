@@ -75,7 +75,8 @@ void refuse_model(std::string_view name) {
                   "Undistort the images with colmap image_undistorter first");
 }
 
-CameraModel camera_of(const Model& model, std::uint64_t width, std::uint64_t height, const std::vector<double>& p) {
+CameraModel camera_of_model(const Model& model, std::uint64_t width, std::uint64_t height,
+                            const std::vector<double>& p) {
   CameraModel camera;
   if (width > 1'000'000 || height > 1'000'000)
     throw bad_input("a camera has " + std::to_string(width) + " x " + std::to_string(height) + " pixels",
@@ -140,8 +141,8 @@ ColmapCameras cameras_of_text(Bytes file) {
     for (std::size_t i = 4; i < words.size(); ++i)
       parameters.push_back(finite(number_of<double>(words[i], place), place));
     add_camera(number_of<std::uint32_t>(words[0], place),
-               camera_of(*model, number_of<std::uint64_t>(words[2], place), number_of<std::uint64_t>(words[3], place),
-                         parameters),
+               camera_of_model(*model, number_of<std::uint64_t>(words[2], place),
+                               number_of<std::uint64_t>(words[3], place), parameters),
                cameras);
   });
   return cameras;
@@ -160,13 +161,13 @@ ColmapCameras cameras_of_bytes(Bytes file) {
     std::vector<double> parameters;
     for (std::size_t k = 0; k < models[number].parameters; ++k)
       parameters.push_back(finite(reader.next<double>(), place));
-    add_camera(id, camera_of(models[number], width, height, parameters), cameras);
+    add_camera(id, camera_of_model(models[number], width, height, parameters), cameras);
   }
   return cameras;
 }
 
 // COLMAP gives T_camera_world as quaternion (w first) and translation.
-Pose pose_of(const std::array<double, 7>& v, const std::string& place) {
+Pose pose_of_image(const std::array<double, 7>& v, const std::string& place) {
   for (const double x : v) finite(x, place);
   const Eigen::Quaterniond q(v[0], v[1], v[2], v[3]);
   if (!(std::abs(q.norm() - 1) < 0.01))
@@ -196,7 +197,8 @@ std::vector<ColmapImage> images_of_text(Bytes file) {
         // A name may have blanks: it is the rest of the line.
         const auto* begin = words[9].data();
         const auto* end = words.back().data() + words.back().size();
-        images.push_back({std::string(begin, end), number_of<std::uint32_t>(words[8], place), pose_of(pose, place), 0});
+        images.push_back(
+            {std::string(begin, end), number_of<std::uint32_t>(words[8], place), pose_of_image(pose, place), 0});
         points_follow = true;
       },
       true);
@@ -213,7 +215,7 @@ std::vector<ColmapImage> images_of_bytes(Bytes file) {
     reader.next<std::uint32_t>();  // its number
     std::array<double, 7> pose{};
     for (double& v : pose) v = reader.next<double>();
-    image.T_world_camera = pose_of(pose, place);
+    image.T_world_camera = pose_of_image(pose, place);
     image.camera = reader.next<std::uint32_t>();
     image.name = reader.next_name();
     image.observations = reader.next_count(24);

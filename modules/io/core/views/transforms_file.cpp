@@ -62,7 +62,7 @@ void take_camera(const Json& json, const Json& file, TransformsView& view) {
   if (camera.width > 0 && camera.height > 0) complete_camera(view, camera.width, camera.height);
 }
 
-std::optional<Pose> pose_of(const Json& view) {
+std::optional<Pose> pose_of_view(const Json& view) {
   constexpr const char* name = "transform_matrix";
   const auto numbers = numbers_of(holds(view, name) ? view[name] : Json(), name, "4 x 4 numbers");
   try {
@@ -104,7 +104,7 @@ TransformsFile parse_transforms(Bytes text) {
       if (view.file.empty()) throw bad_input("it has no file_path", needed);
       view.depth_file = text_at(entry_of_view, "depth_file_path");
       view.mask_file = text_at(entry_of_view, "mask_path");
-      view.T_world_camera = pose_of(entry_of_view);
+      view.T_world_camera = pose_of_view(entry_of_view);
       take_camera(entry_of_view, json, view);
       if (const auto it = splits.find(view.file); it != splits.end()) view.split = it->second;
       file.views.push_back(std::move(view));

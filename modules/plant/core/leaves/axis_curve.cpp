@@ -5,12 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "base/no_number.h"
 #include "base/statistics.h"
 
 namespace bole::plant {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 void set_arc(AxisCurve& curve) {
   curve.arc.assign(curve.places.size(), 0);
@@ -18,7 +17,7 @@ void set_arc(AxisCurve& curve) {
     curve.arc[i] = curve.arc[i - 1] + (curve.places[i] - curve.places[i - 1]).norm();
 }
 
-std::pair<std::size_t, double> section(const AxisCurve& c, double along) {
+std::pair<std::size_t, double> section_at(const AxisCurve& c, double along) {
   const auto above = std::ranges::upper_bound(c.arc, along) - c.arc.begin();
   const auto i =
       static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above - 1, 0, static_cast<std::ptrdiff_t>(c.arc.size()) - 2));
@@ -60,7 +59,7 @@ AxisCurve smoothed(const Points3& stations, const AxisScales& s) {
 
 struct Station {
   Eigen::Vector3d middle;
-  double radius = nan;
+  double radius = no_number;
 };
 
 // Middle of the points in a slice across the axis, found by moving to their mean.
@@ -71,7 +70,7 @@ Station station_at(const PointGrid& grid, const Points3& points, const Eigen::Ve
     const Eigen::Vector3d d = points[i] - place;
     if (std::abs(d.dot(along)) < half_slice) slice.push_back(d - d.dot(along) * along);
   });
-  Station out{place, nan};
+  Station out{place, no_number};
   if (slice.size() < 6) return out;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (int round = 0; round < 6; ++round) {
@@ -98,7 +97,7 @@ Station station_at(const PointGrid& grid, const Points3& points, const Eigen::Ve
 }  // namespace
 
 Eigen::Vector3d AxisCurve::at(double along) const {
-  const auto [i, s] = section(*this, along);
+  const auto [i, s] = section_at(*this, along);
   return (1 - s) * places[i] + s * places[i + 1];
 }
 
@@ -108,7 +107,7 @@ Eigen::Vector3d AxisCurve::tangent(double along, double reach) const {
 }
 
 double AxisCurve::radius_at(double along) const {
-  double best = std::numeric_limits<double>::infinity(), radius = nan;
+  double best = std::numeric_limits<double>::infinity(), radius = no_number;
   for (std::size_t i = 0; i < radii.size(); ++i)
     if (std::isfinite(radii[i]) && std::abs(arc[i] - along) < best) {
       best = std::abs(arc[i] - along);
@@ -138,7 +137,7 @@ AxisCurve extended(const AxisCurve& curve, double length, double look) {
   for (int i = 1; i <= steps; ++i) {
     out.places.emplace_back(curve.places.back() + length * i / steps * along);
     out.arc.push_back(curve.length() + length * i / steps);
-    out.radii.push_back(nan);
+    out.radii.push_back(no_number);
   }
   return out;
 }
@@ -149,7 +148,7 @@ AxisCurve axis_curve(const Points3& middles, const Points3& points, const AxisSc
     curve.places = middles;
     set_arc(curve);
     if (curve.length() <= 0) curve = {};
-    curve.radii.assign(curve.places.size(), nan);
+    curve.radii.assign(curve.places.size(), no_number);
     return curve;
   }
   curve = smoothed(middles, scales);
@@ -167,7 +166,7 @@ AxisCurve axis_curve(const Points3& middles, const Points3& points, const AxisSc
     auto finite = radii;
     std::erase_if(finite, [](double r) { return !std::isfinite(r); });
     curve = smoothed(stations, scales);
-    curve.radii.assign(curve.places.size(), nan);
+    curve.radii.assign(curve.places.size(), no_number);
     for (std::size_t i = 0; i < std::min(radii.size(), curve.radii.size()); ++i) curve.radii[i] = radii[i];
     if (!finite.empty()) max_radius = std::min(scales.max_radius, 2 * median(finite) + 0.5 * scales.step);
   }

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <limits>
 
+#include "base/no_number.h"
 #include "plant/core/leaves/leaf_tables.h"
 
 namespace bole::plant {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double section = 0.005;  // metres between sections of the stem
+constexpr double section_step = 0.005;  // metres between sections of the stem
 
 // Whether leaves and stem can be told apart at all.
 bool find_doubts(const PlantOrgans& organs, Report& report) {
@@ -88,7 +88,7 @@ void add_leaf_columns(Table& traits, const LeafTraits& leaves, const LeafInputs&
   };
   const auto& organs = leaves.organs;
   const bool found = leaves.usable;
-  traits.set("leaf_count", std::vector<double>{found ? static_cast<double>(organs.leaves.size()) : nan});
+  traits.set("leaf_count", std::vector<double>{found ? static_cast<double>(organs.leaves.size()) : no_number});
   double area = 0, low = 0, high = 0;
   for (const auto& leaf : organs.leaves) {
     const auto bounds = area_bounds(leaf, in.scale_sd, in.noise);
@@ -97,10 +97,10 @@ void add_leaf_columns(Table& traits, const LeafTraits& leaves, const LeafInputs&
     high += bounds.high;
   }
   high += organs.lost_share * area;
-  if (!found) area = low = high = nan;
+  if (!found) area = low = high = no_number;
   set("leaf_area", "cm2", 1e4 * area, 1e4 * low, 1e4 * high);
-  traits.set("branch_count", std::vector<double>{found ? static_cast<double>(organs.axes.size()) - 1 : nan});
-  const double length = found ? organs.axes.front().curve.length() : nan;
+  traits.set("branch_count", std::vector<double>{found ? static_cast<double>(organs.axes.size()) - 1 : no_number});
+  const double length = found ? organs.axes.front().curve.length() : no_number;
   const double half = 1.96 * std::hypot((organs.stem_ends_in_leaf ? 0.25 : 0.12) * in.unit, in.scale_sd * length);
   // The tip hides between the last leaves, up to an internode further.
   set("stem_length", "mm", 1000 * length, 1000 * (length - half), 1000 * (length + half + 0.6 * in.unit));
@@ -116,7 +116,7 @@ void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& 
   const double first = height.empty() ? none : *std::ranges::min_element(height);
   const double last = height.empty() ? -none : *std::ranges::max_element(height);
   std::size_t below = 0;
-  const double step = section * in.unit / 0.02;
+  const double step = section_step * in.unit / 0.02;
   const auto steps = static_cast<std::size_t>(std::lround(curve.length() / step));
   for (std::size_t i = 0; i <= steps; ++i) {
     const double along = std::min(curve.length(), static_cast<double>(i) * step);
@@ -128,7 +128,7 @@ void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& 
     x.insert(x.begin() + at, p.x());
     y.insert(y.begin() + at, p.y());
     z.insert(z.begin() + at, p.z());
-    diameter.insert(diameter.begin() + at, nan);  // a cloud shows thin stems too wide
+    diameter.insert(diameter.begin() + at, no_number);  // a cloud shows thin stems too wide
     source.insert(source.begin() + at, "cloud");
   }
   Table all;

@@ -9,8 +9,6 @@
 namespace bole::plant {
 namespace {
 
-constexpr int size = Tsdf::block_size;
-
 struct SurfacePoint {
   Eigen::Vector3f position = Eigen::Vector3f::Zero(), normal = Eigen::Vector3f::Zero(), color = Eigen::Vector3f::Zero();
   float weight = 0;
@@ -86,11 +84,11 @@ PointCloud cloud_of(const Tsdf& grid, const std::vector<SurfacePoint>& points) {
 // Calls `visit` with each lattice point of a block that has a voxel of enough weight.
 template <class Visit>
 void each_voxel(const Tsdf& grid, std::size_t block, double min_weight, Visit visit) {
-  const Eigen::Vector3i start = grid.places[block] * size;
+  const Eigen::Vector3i start = grid.places[block] * Tsdf::block_size;
   const Voxel* voxel = &grid.voxels[block * Tsdf::block_voxels];
-  for (int x = 0; x < size; ++x)
-    for (int y = 0; y < size; ++y)
-      for (int z = 0; z < size; ++z, ++voxel)
+  for (int x = 0; x < Tsdf::block_size; ++x)
+    for (int y = 0; y < Tsdf::block_size; ++y)
+      for (int z = 0; z < Tsdf::block_size; ++z, ++voxel)
         if (voxel->weight >= min_weight) visit(Eigen::Vector3i(start + Eigen::Vector3i(x, y, z)), *voxel);
 }
 

@@ -115,7 +115,8 @@ Extent extrapolated(double raw, const std::array<std::vector<double>, added.size
 }
 
 // The measured tip that is the outermost place in a direction, or null where that is a point of the cloud.
-const Tip* tip_at(const Points3& points, const std::vector<Tip>& tips, const Eigen::Vector3d& direction, double near) {
+const Tip* tip_farthest_along(const Points3& points, const std::vector<Tip>& tips, const Eigen::Vector3d& direction,
+                              double near) {
   const auto far = std::ranges::max_element(points, {}, [&](const Eigen::Vector3d& p) { return p.dot(direction); });
   for (const auto& t : tips)
     if (t.measured() && (t.end() - *far).norm() < near) return &t;
@@ -173,7 +174,7 @@ void take_tips(const Points3& plant, const std::vector<Tip>& tips, double reach,
     return tip != nullptr ? std::hypot(tip->sd, reach / 20) : std::max({std::abs(correction), extents.noise, usual});
   };
   extents.sides_in_pictures = 0;
-  const auto* top = tip_at(points, tips, Eigen::Vector3d::UnitZ(), reach / 4);
+  const auto* top = tip_farthest_along(points, tips, Eigen::Vector3d::UnitZ(), reach / 4);
   if (top != nullptr) {
     extents.top.value = now.top;
     extents.top.sd = sd_of(top, 0);
@@ -186,7 +187,8 @@ void take_tips(const Points3& plant, const std::vector<Tip>& tips, double reach,
   const bool first_is_length = first.norm() >= second.norm();
   const auto side = [&](const Eigen::Vector2d& along, double raw, Extent& extent) {
     const Eigen::Vector3d d = Eigen::Vector3d(along.x(), along.y(), 0).normalized();
-    const auto *a = tip_at(points, tips, d, reach / 4), *b = tip_at(points, tips, -d, reach / 4);
+    const auto *a = tip_farthest_along(points, tips, d, reach / 4),
+               *b = tip_farthest_along(points, tips, -d, reach / 4);
     if (a == nullptr && b == nullptr) {
       extent.sd = std::max(extent.sd, std::sqrt(2.0) * usual);
       return;

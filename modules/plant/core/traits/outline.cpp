@@ -17,7 +17,7 @@ constexpr int cells_across = 120;         // of the larger side of the room
 constexpr double first_margin = 1.0 / 3;  // of the size of the cloud's plant
 constexpr double last_margin = 2;
 constexpr double max_against = 0.08;        // share of the pictures that may show something else in a cell
-constexpr int min_views = 5;                // that must show a place
+constexpr int min_outline_views = 5;        // that must show a place
 constexpr double max_refuted_share = 0.35;  // of the points: above it the pictures are not believed
 
 constexpr int edge_parts = 4;       // of a cell at the edge of the room
@@ -107,7 +107,7 @@ bool has_room(const PlantMasks& masks, const Eigen::Vector3d& place, double cell
     if (s == Shown::other && ++against > most) return false;
     if (s == Shown::other || s == Shown::plant) ++seen;
   }
-  return seen >= min_views && against <= max_against * seen;
+  return seen >= min_outline_views && against <= max_against * seen;
 }
 
 // The outermost cells, those that decide over height and breadth, in `parts` along each side: what of them is free.
@@ -155,7 +155,7 @@ Points3 points_on_plant(const Points3& plant, const PlantMasks& masks, const Run
       on += s == Shown::plant ? 1 : 0;
       beside += s == Shown::other ? 1 : 0;
     }
-    refuted[i] = on + beside >= min_views && beside > on;
+    refuted[i] = on + beside >= min_outline_views && beside > on;
   });
   const auto count = std::ranges::count(refuted, std::uint8_t{1});
   if (static_cast<double>(count) > max_refuted_share * static_cast<double>(plant.size())) return plant;

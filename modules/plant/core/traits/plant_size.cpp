@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/no_number.h"
 #include "base/statistics.h"
 #include "plant/core/surface/region.h"
 #include "plant/core/traits/outline.h"
@@ -11,8 +11,6 @@
 
 namespace bole::plant {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 class SizeMeasurement {
  public:
@@ -92,8 +90,8 @@ class SizeMeasurement {
     const auto fact = points.facts.find(region_fact);
     const auto region = fact == points.facts.end() ? std::nullopt : region_from_text(fact->second);
     if (region) count_at_border(*region, above, aside);
-    if (above >= min_at_border) out_.height.high = nan;
-    if (aside >= min_at_border) out_.length.high = out_.width.high = nan;
+    if (above >= min_at_border) out_.height.high = no_number;
+    if (aside >= min_at_border) out_.length.high = out_.width.high = no_number;
     if (above < min_at_border && aside < min_at_border) return;
     const std::string what = above < min_at_border   ? "The breadth is that of a part"
                              : aside < min_at_border ? "The height is that of a part"

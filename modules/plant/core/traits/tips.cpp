@@ -22,7 +22,7 @@ constexpr double step_px = 0.5;         // between samples on the line
 constexpr double spread_px = 0.9;       // usual point spread of a picture with its pixel
 constexpr double min_tip_contrast = 0.03;  // of 0..1
 constexpr double min_explained = 0.6;      // share of the line's variance that one edge must explain
-constexpr std::size_t min_views = 4;
+constexpr std::size_t min_tip_views = 4;
 constexpr double min_agreeing = 0.35;  // share of the views with an edge
 constexpr int hiding_px = 3;           // between places of a line that are asked what hides them
 
@@ -38,8 +38,8 @@ std::vector<Eigen::Vector3d> outward_directions() {
 // A tip at an outermost point. Where the plant is pointed there, the way out is the line through the middles of its
 // nearer and farther neighbours, and the point is brought onto it: else the line would leave a sharp tip at its side.
 // Where the plant is blunt, it is the direction in which the point is outermost.
-Tip tip_at(const Points3& plant, const PointGrid& grid, const Eigen::Vector3d& point, const Eigen::Vector3d& direction,
-           double reach) {
+Tip tip_around(const Points3& plant, const PointGrid& grid, const Eigen::Vector3d& point,
+               const Eigen::Vector3d& direction, double reach) {
   Eigen::Vector3d all = Eigen::Vector3d::Zero(), near = Eigen::Vector3d::Zero();
   double n = 0, n_near = 0;
   grid.near(point, reach, [&](std::uint32_t i, double distance2) {
@@ -177,14 +177,14 @@ struct Sighting {
 // The place where most edges meet: the densest window, and the mean in it.
 void meet(std::vector<double> moves, double window, Tip& tip) {
   tip.seen = moves.size();
-  if (moves.size() < min_views) return;
+  if (moves.size() < min_tip_views) return;
   std::ranges::sort(moves);
   std::size_t best_first = 0, best_count = 0;
   for (std::size_t i = 0, j = 0; i < moves.size(); ++i) {
     while (j < moves.size() && moves[j] - moves[i] <= window) ++j;
     if (j - i > best_count) best_first = i, best_count = j - i;
   }
-  if (best_count < min_views || static_cast<double>(best_count) < min_agreeing * static_cast<double>(moves.size()))
+  if (best_count < min_tip_views || static_cast<double>(best_count) < min_agreeing * static_cast<double>(moves.size()))
     return;
   const std::vector<double> kept(moves.begin() + static_cast<std::ptrdiff_t>(best_first),
                                  moves.begin() + static_cast<std::ptrdiff_t>(best_first + best_count));
@@ -220,7 +220,7 @@ std::vector<Tip> outermost_tips(const Points3& plant, double reach) {
   for (const auto& d : outward_directions()) {
     const auto far = std::ranges::max_element(plant, {}, [&](const Eigen::Vector3d& p) { return p.dot(d); });
     const bool known = std::ranges::any_of(tips, [&](const Tip& t) { return (t.place - *far).norm() < reach / 2; });
-    if (!known) tips.push_back(tip_at(plant, grid, *far, d, reach));
+    if (!known) tips.push_back(tip_around(plant, grid, *far, d, reach));
   }
   return tips;
 }

@@ -17,8 +17,7 @@ namespace {
 // The first passes only need to tell outliers; the last one must be exact.
 constexpr int max_iterations = 30, max_first_iterations = 12;
 constexpr double first_tolerance = 1e-3, tolerance = 1e-6;  // relative change of the cost
-constexpr double kernel_sigmas = 2;
-constexpr double max_sigmas = 5;  // an observation further off is left out between the passes
+constexpr double max_sigmas = 5;                            // an observation further off is left out between the passes
 constexpr double mad_to_sigma = 1.4826;
 constexpr int dense_views = 150;  // with more, the matrix of the cameras is mostly empty
 // Errors of neighbouring depths are alike (matching windows, lens), so that they weigh less than their number says.

@@ -11,6 +11,8 @@
 
 namespace bole::rgbd {
 
+inline constexpr double kernel_sigmas = 2;  // of Huber's loss in the adjustment
+
 struct Observation {
   int view = 0, point = 0;
   Eigen::Vector2d pixel = Eigen::Vector2d::Zero();

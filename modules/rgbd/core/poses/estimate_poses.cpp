@@ -18,11 +18,11 @@
 namespace bole::rgbd {
 namespace {
 
-constexpr std::size_t max_views = 3000;      // about a gigabyte of features
-constexpr double usual_depth_noise = 0.004;  // 1 / m: 4 mm at 1 m
-constexpr double screen_depth_noise = 0.01;  // wide, until the noise is learnt
-constexpr double max_scale_gap = 0.02;       // between board and depth, that nobody needs to know of
-constexpr double board_edge_weight = 1e4;    // the board ties a view before any match does
+constexpr std::size_t max_pose_views = 3000;  // about a gigabyte of features
+constexpr double usual_depth_noise = 0.004;   // 1 / m: 4 mm at 1 m
+constexpr double screen_depth_noise = 0.01;   // wide, until the noise is learnt
+constexpr double max_scale_gap = 0.02;        // between board and depth, that nobody needs to know of
+constexpr double board_edge_weight = 1e4;     // the board ties a view before any match does
 constexpr double ambiguous_edge_weight = 1;
 constexpr double max_ring_turn_rad = 0.06, max_ring_shift_share = 0.06;  // of the depth
 constexpr int min_observations = 10, min_corners = 6;                    // below both, a view is lost
@@ -71,8 +71,8 @@ class Estimator {
  private:
   void read(double until) {
     if (views_.size() == 0) throw bad_input("there are no views", "at least 2", "Check the folder of the views.");
-    if (views_.size() > max_views)
-      throw bad_input(fmt::format("there are {} views", views_.size()), fmt::format("at most {}", max_views),
+    if (views_.size() > max_pose_views)
+      throw bad_input(fmt::format("there are {} views", views_.size()), fmt::format("at most {}", max_pose_views),
                       "Read every n-th view, or a part of them (options every and max_views of io.read_views).");
     data_ = read_views(views_, o_, run_.part(0, until), out_.report);
   }

@@ -13,7 +13,7 @@
 namespace bole::rgbd {
 namespace {
 
-constexpr std::size_t batch = 24;  // pairs between two looks at cancel
+constexpr std::size_t pairs_per_batch = 24;  // pairs between two looks at cancel
 constexpr int likeness_features = 200;
 constexpr int min_likeness = 8;
 constexpr std::size_t max_likeness_views = 150;
@@ -71,10 +71,10 @@ void ViewMatcher::match_all(const Pairs& wanted, const Run& run, const char* wha
   for (const auto& p : wanted)
     if (tried_.insert(p).second) fresh.push_back(p);
   std::vector<MatchedPair> found(fresh.size());
-  for (std::size_t first = 0; first < fresh.size(); first += batch) {
+  for (std::size_t first = 0; first < fresh.size(); first += pairs_per_batch) {
     run.check_cancel();
     run.report(static_cast<double>(first) / static_cast<double>(fresh.size()), what);
-    tbb::parallel_for(first, std::min(first + batch, fresh.size()), [&](std::size_t i) {
+    tbb::parallel_for(first, std::min(first + pairs_per_batch, fresh.size()), [&](std::size_t i) {
       if (!run.cancelled()) found[i] = match(fresh[i].first, fresh[i].second, nullptr);
     });
   }

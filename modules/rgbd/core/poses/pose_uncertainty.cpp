@@ -8,8 +8,7 @@
 namespace bole::rgbd {
 namespace {
 
-constexpr std::size_t max_views = 300;  // the matrix has 36 numbers for each pair of views
-constexpr double kernel_sigmas = 2;     // of Huber's loss in the adjustment
+constexpr std::size_t max_matrix_views = 300;  // the matrix has 36 numbers for each pair of views
 constexpr double fixed_weight = 1e12;
 constexpr double point_damping = 1e-9;  // relative: points that nothing but one depth holds
 
@@ -91,7 +90,7 @@ class Normal {
 }  // namespace
 
 std::vector<PoseSigma> pose_sigmas(const Bundle& b, int fixed_view) {
-  if (b.placed.size() > max_views || b.placed.empty()) return std::vector<PoseSigma>(b.placed.size());
+  if (b.placed.size() > max_matrix_views || b.placed.empty()) return std::vector<PoseSigma>(b.placed.size());
   Normal normal(b);
   std::vector<std::vector<Row>> of_point(b.points.size());
   for (const auto& o : b.observations) {

@@ -14,7 +14,7 @@
 namespace bole::rgbd {
 namespace {
 
-constexpr std::size_t batch = 8;  // views between two looks at cancel
+constexpr std::size_t views_per_batch = 8;  // views between two looks at cancel
 
 void read_view(const ViewSource& views, std::size_t index, const PoseOptions& options, const CharucoBoard* board,
                ViewData& out) {
@@ -86,10 +86,10 @@ std::vector<ViewData> read_views(const ViewSource& views, const PoseOptions& opt
                   "is not used");
   }
   std::vector<ViewData> data(views.size());
-  for (std::size_t first = 0; first < data.size(); first += batch) {
+  for (std::size_t first = 0; first < data.size(); first += views_per_batch) {
     run.check_cancel();
     run.report(static_cast<double>(first) / static_cast<double>(data.size()), "finding features");
-    tbb::parallel_for(first, std::min(first + batch, data.size()), [&](std::size_t i) {
+    tbb::parallel_for(first, std::min(first + views_per_batch, data.size()), [&](std::size_t i) {
       if (!run.cancelled()) read_view(views, i, options, board ? &*board : nullptr, data[i]);
     });
   }

@@ -102,7 +102,7 @@ struct HedgePoint {
 };
 
 // The middle of a row in a piece: median across within the window about `expected_m`, the window following it.
-std::optional<HedgePoint> middle_of(const Piece& piece, double expected_m, double half_width_m, int min_points) {
+std::optional<HedgePoint> middle_of_piece(const Piece& piece, double expected_m, double half_width_m, int min_points) {
   HedgePoint found{0, expected_m, 0};
   for (int round = 0; round < iterations; ++round) {
     std::vector<double> across;
@@ -139,7 +139,7 @@ class Follower {
     std::size_t densest = 0;
     std::optional<HedgePoint> start;
     for (std::size_t i = 0; i < pieces_.size(); ++i)
-      if (const auto m = middle_of(pieces_[i], peak_m, half_width_m, o_.min_points);
+      if (const auto m = middle_of_piece(pieces_[i], peak_m, half_width_m, o_.min_points);
           m && (!start || m->points > start->points)) {
         start = m;
         densest = i;
@@ -150,8 +150,8 @@ class Follower {
       double expected = start->across_m, drift = 0;
       int behind = 1;  // pieces since the last point
       for (auto i = static_cast<std::ptrdiff_t>(densest) + way; i >= 0 && i < std::ssize(pieces_); i += way) {
-        const auto m =
-            middle_of(pieces_[static_cast<std::size_t>(i)], expected + drift * behind, half_width_m, o_.min_points);
+        const auto m = middle_of_piece(pieces_[static_cast<std::size_t>(i)], expected + drift * behind, half_width_m,
+                                       o_.min_points);
         if (!m) {
           ++behind;
           continue;

@@ -35,7 +35,7 @@ std::optional<double> distance_side_by_side(const RowCurve& a, const RowCurve& b
   return across[across.size() / 2];
 }
 
-Eigen::Vector2d middle_of(const PlantRow& row) { return row.curve.at(row.curve.length_m() / 2); }
+Eigen::Vector2d middle_of_row(const PlantRow& row) { return row.curve.at(row.curve.length_m() / 2); }
 
 double mean_angle(const std::vector<PlantRow>& rows, const std::vector<int>& members) {
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
@@ -62,7 +62,8 @@ std::vector<RowBlock> find_blocks(const std::vector<PlantRow>& rows, const Point
       const double reach = neighbour_spacings * std::min(row_spacing_m[static_cast<std::size_t>(a)],
                                                          row_spacing_m[static_cast<std::size_t>(b)]);
       if (!std::isfinite(reach)) continue;
-      if ((middle_of(ra) - middle_of(rb)).norm() > reach + (ra.curve.length_m() + rb.curve.length_m()) / 2) continue;
+      if ((middle_of_row(ra) - middle_of_row(rb)).norm() > reach + (ra.curve.length_m() + rb.curve.length_m()) / 2)
+        continue;
       const auto d = distance_side_by_side(ra.curve, rb.curve);
       if (!d || *d > reach) continue;
       distances[{a, b}] = *d;
@@ -77,8 +78,8 @@ std::vector<RowBlock> find_blocks(const std::vector<PlantRow>& rows, const Point
     block.angle_rad = mean_angle(rows, list);
     const Eigen::Vector2d left(-std::sin(block.angle_rad), std::cos(block.angle_rad));
     std::stable_sort(list.begin(), list.end(), [&](int a, int b) {
-      return middle_of(rows[static_cast<std::size_t>(a)]).dot(left) >
-             middle_of(rows[static_cast<std::size_t>(b)]).dot(left);
+      return middle_of_row(rows[static_cast<std::size_t>(a)]).dot(left) >
+             middle_of_row(rows[static_cast<std::size_t>(b)]).dot(left);
     });
     block.rows = list;
     for (std::size_t i = 0; i < list.size(); ++i) {

@@ -13,12 +13,12 @@
 #include "sim/core/field/field_scene.h"
 #include "sim/core/field/livox_scanner.h"
 #include "sim/core/scene/random.h"
+#include "sim/core/scene/turns.h"
 
 namespace bole::sim {
 namespace {
 
 using namespace sim;
-constexpr double two_pi = 2 * std::numbers::pi;
 
 // A robot on a straight line over uneven ground: a constant tilt where it stands, and a sway.
 class RobotMotion {

@@ -9,11 +9,10 @@
 #include "sim/core/plot/layout.h"
 #include "sim/core/plot/stand.h"
 #include "sim/core/scene/random.h"
+#include "sim/core/scene/turns.h"
 
 namespace bole::sim {
 namespace {
-
-Eigen::Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 void decide_fate(Tree& tree, const TreeRecipe& recipe, Random& random) {
   auto& s = tree.stem;
@@ -29,7 +28,7 @@ void decide_fate(Tree& tree, const TreeRecipe& recipe, Random& random) {
 // A twin leaves the common base to the other side of its sister: both lean apart enough that they stand free at breast
 // height.
 void join_twin(Tree& twin, const Tree& sister, Random& random) {
-  const Eigen::Vector2d away = direction(random.angle());
+  const Eigen::Vector2d away = direction_of(random.angle());
   const double feet = 0.75 * (sister.stem.radius_m + twin.stem.radius_m);
   twin.stem.foot.head<2>() = sister.stem.foot.head<2>() + feet * away;
   twin.stem.lean = sister.stem.lean + std::tan(radians(random.uniform(7, 12))) * away;

@@ -6,6 +6,7 @@
 
 #include "base/angles.h"
 #include "base/option.h"
+#include "sim/core/scene/turns.h"
 
 namespace bole::sim {
 namespace {
@@ -14,8 +15,6 @@ using std::numbers::pi;
 
 // Stems of a stool leave it at this lean or more.
 constexpr double stool_lean_deg = 6, steepest_stool_lean_deg = 13;
-
-Eigen::Vector2d direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 // Height over diameter after Naslund: h = 1.3 + d^2 / (a + b d)^2, with coefficients of a middling site.
 double height_from_dbh(double dbh_cm) { return 1.3 + dbh_cm * dbh_cm / std::pow(1.2 + 0.185 * dbh_cm, 2); }
@@ -63,7 +62,7 @@ void shape_stem(Tree& tree, const TreeRecipe& recipe, double dbh_cm, Random& ran
   s.taper_exponent = tree.species == Species::conifer ? random.uniform(0.75, 0.95) : random.uniform(0.65, 0.85);
   s.lean = std::tan(radians(recipe.lean_sd_deg)) * Eigen::Vector2d(random.bounded_normal(), random.bounded_normal()) /
            std::numbers::sqrt2;
-  s.bow = recipe.sweep_m * random.bounded_normal() * direction(random.angle());
+  s.bow = recipe.sweep_m * random.bounded_normal() * direction_of(random.angle());
   s.bow_length_m = random.uniform(6, 14);
   s.flare = recipe.flare * random.uniform(0.5, 1.5);
   s.flare_length_m = random.uniform(0.2, 0.36);
@@ -105,7 +104,7 @@ void disfigure(Tree& tree, const Forest& forest, std::uint64_t seed) {
   const double lean_deg = random.uniform(10, 20), turn = random.uniform(-0.8, 0.8);
   if (leans && may_lean(tree, forest.half_side_m())) {
     const Eigen::Vector2d away = away_from_nearest(tree, forest.trees);
-    s.lean = std::tan(radians(lean_deg)) * direction(std::atan2(away.y(), away.x()) + turn);
+    s.lean = std::tan(radians(lean_deg)) * direction_of(std::atan2(away.y(), away.x()) + turn);
   }
   if (buttressed) {
     s.flare = random.uniform(0.5, 1.0);
@@ -149,8 +148,8 @@ bool Stools::join(Tree& tree, std::size_t index) const {
   const double spread = 2 * pi / place.stems,
                angle = place.turn_rad + (place.number + random.uniform(-0.1, 0.1)) * spread;
   auto& s = tree.stem;
-  s.foot.head<2>() = place.middle + place.radius_m * direction(angle);
-  s.lean = std::tan(radians(random.uniform(stool_lean_deg, steepest_stool_lean_deg))) * direction(angle);
+  s.foot.head<2>() = place.middle + place.radius_m * direction_of(angle);
+  s.lean = std::tan(radians(random.uniform(stool_lean_deg, steepest_stool_lean_deg))) * direction_of(angle);
   s.bow *= 0.3;
   s.flare *= 0.5;
   tree.twin_of = place.number == 0 ? 0 : static_cast<int>(place.leader) + 1;
@@ -176,7 +175,7 @@ void add_poles(Forest& forest, std::uint64_t seed) {
   for (long i = 0, attempts = 0; i < count && attempts < 200 * count; ++attempts) {
     Eigen::Vector2d p(places.uniform(-reach, reach), places.uniform(-reach, reach));
     const bool in_group = places.chance(recipe.layout.clustering);
-    const Eigen::Vector2d step = places.uniform(0.4, 1.4) * direction(places.angle());
+    const Eigen::Vector2d step = places.uniform(0.4, 1.4) * direction_of(places.angle());
     const int mother = places.index(static_cast<int>(forest.trees.size() - first) + 1);
     if (in_group && first + static_cast<std::size_t>(mother) < forest.trees.size())
       p = forest.trees[first + static_cast<std::size_t>(mother)].stem.foot.head<2>() + step;

@@ -1,12 +1,13 @@
 #include "sim/core/scene/rosette.h"
 
 #include <cmath>
-#include <numbers>
+
+#include "sim/core/scene/turns.h"
 
 namespace bole::sim {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi, golden = 0.6180339887498949;
+constexpr double golden = 0.6180339887498949;
 constexpr double wedge_1_hz = 97.31, wedge_2_hz = -wedge_1_hz * golden;
 // The mirror of a full circle, and the swing of its beams.
 constexpr double mirror_hz = 33.37, swing_hz = mirror_hz * golden * 11;

@@ -3,15 +3,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/angles.h"
 #include "sim/core/scene/random.h"
+#include "sim/core/scene/turns.h"
 
 namespace bole::sim {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 struct RouteWave {
   double size = 0, per_view = 0, phase = 0;

@@ -3,12 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "sim/core/scene/turns.h"
 
 namespace bole::sim {
 namespace {
-
-constexpr double two_pi = 2 * std::numbers::pi;
 
 // A polygon with the area of the circle.
 double corner_radius(double radius, int sides) {

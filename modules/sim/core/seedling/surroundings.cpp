@@ -2,16 +2,15 @@
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 #include "sim/core/scene/noise.h"
 #include "sim/core/scene/random.h"
+#include "sim/core/scene/turns.h"
 #include "sim/core/seedling/charuco_mat.h"
 
 namespace bole::sim {
 namespace {
 
-constexpr double two_pi = 2 * std::numbers::pi;
 const Eigen::Vector2d middle_of_mat(CharucoMat::width() / 2, CharucoMat::height() / 2);
 
 double draw_from(Random& random, const Span& span) { return random.uniform(span.min, span.max); }

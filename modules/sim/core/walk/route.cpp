@@ -134,7 +134,7 @@ std::vector<Eigen::Vector2d> resample(const std::vector<Eigen::Vector2d>& path, 
 }
 
 // Rounds corners and grid steps; what comes too close to a stem is pushed out again.
-void smooth(std::vector<Eigen::Vector2d>& path, const Forest& forest, double clearance_m) {
+void smooth_route(std::vector<Eigen::Vector2d>& path, const Forest& forest, double clearance_m) {
   for (int iteration = 0; iteration < 80; ++iteration) {
     std::vector<Eigen::Vector2d> next = path;
     for (std::size_t i = 1; i + 1 < path.size(); ++i) next[i] = 0.5 * path[i] + 0.25 * (path[i - 1] + path[i + 1]);
@@ -186,7 +186,7 @@ std::vector<Eigen::Vector2d> plan_route(const std::vector<Eigen::Vector2d>& way_
     }
     if (!complete) continue;
     path = resample(path, step_m);
-    smooth(path, forest, clearance);
+    smooth_route(path, forest, clearance);
     return resample(path, step_m);
   }
   throw failure("trees block the walk between its way-points", "gaps of at least 0.6 m",

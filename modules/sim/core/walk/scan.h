@@ -10,11 +10,11 @@
 #include "base/run.h"
 #include "sensor/core/sensor_model.h"
 #include "sim/core/scene/beam.h"
+#include "sim/core/scene/turns.h"
 #include "sim/core/walk/walk.h"
 
 namespace bole::sim {
 
-inline constexpr double two_pi = 2 * std::numbers::pi;
 // The rotor starts looking backwards, where frames are cut.
 inline constexpr double first_azimuth_rad = std::numbers::pi;
 

@@ -22,7 +22,7 @@ double footing(const Terrain& terrain, const Eigen::Vector2d& p) {
 }
 
 template <class Get>
-void smooth(std::vector<Eigen::Vector4d>& knots, int iterations, Get&& get) {
+void smooth_knots(std::vector<Eigen::Vector4d>& knots, int iterations, Get&& get) {
   for (int k = 0; k < iterations; ++k) {
     std::vector<double> before(knots.size());
     for (std::size_t i = 0; i < knots.size(); ++i) before[i] = get(knots[i]);
@@ -79,9 +79,9 @@ Walk::Walk(const std::vector<Eigen::Vector2d>& route, const Terrain& terrain, co
     heading = i == 0 ? towards : heading + std::remainder(towards - heading, 2 * pi);
     knots_.emplace_back(p.x(), p.y(), footing(terrain, p), heading);
   }
-  smooth(
+  smooth_knots(
       knots_, 6, [](auto& k) -> auto& { return k[2]; });
-  smooth(
+  smooth_knots(
       knots_, 12, [](auto& k) -> auto& { return k[3]; });
   length_m_ = step_m * static_cast<double>(last);
   // Easing in and out covers half of its time at full speed.

@@ -38,8 +38,8 @@ FreeScale free_scale(const ScaleQuestion& q, const PlanFit& fit) {
   return free;
 }
 
-void tell(const ScaleQuestion& q, const FreeScale& free, bool take_grid, const std::optional<GridScale>& asked,
-          bool doubtful, Report& report) {
+void tell_scale(const ScaleQuestion& q, const FreeScale& free, bool take_grid, const std::optional<GridScale>& asked,
+                bool doubtful, Report& report) {
   const double effect_mm = 1000 * std::abs(q.grid - 1) * q.reach_m;
   constexpr double told_mm = 3;
   if (!free.one_fits && !free.grid_fits)
@@ -74,7 +74,7 @@ ChosenScale choose_scale(const ScaleQuestion& q, const PlanFit& fit, const std::
   if (std::isfinite(free.value)) report.metrics["free_scale"] = {free.value, Unit::none};
   if (std::isfinite(free.se)) report.metrics["free_scale_se"] = {free.se, Unit::none};
   report.facts["scale"] = take_grid ? "grid" : "one";
-  tell(q, free, take_grid, asked, doubtful, report);
+  tell_scale(q, free, take_grid, asked, doubtful, report);
   return {take_grid ? q.grid : 1, doubtful ? std::abs(q.grid - 1) : 0};
 }
 

@@ -13,7 +13,7 @@
 namespace bole::survey {
 namespace {
 
-double weight_of(const HeightPair& p) { return 1 / (p.sd_m * p.sd_m); }
+double height_weight(const HeightPair& p) { return 1 / (p.sd_m * p.sd_m); }
 
 std::vector<Eigen::Vector2d> plan_of(const std::vector<HeightPair>& pairs) {
   std::vector<Eigen::Vector2d> plan;
@@ -51,7 +51,7 @@ HeightFit fit_heights(const std::vector<HeightPair>& pairs, const std::optional<
   HeightFit fit;
   double weight = 0, difference = 0;
   for (const auto& p : pairs) {
-    const double w = weight_of(p);
+    const double w = height_weight(p);
     weight += w;
     fit.centre_local += w * p.local;
     difference += w * (p.height_m - p.local.z());
@@ -68,8 +68,8 @@ HeightFit fit_heights(const std::vector<HeightPair>& pairs, const std::optional<
     Eigen::Vector2d right = Eigen::Vector2d::Zero();
     for (const auto& p : pairs) {
       const Eigen::Vector2d d = (p.local - fit.centre_local).head<2>();
-      normal += weight_of(p) * d * d.transpose();
-      right += weight_of(p) * d * (p.height_m - p.local.z() - difference);
+      normal += height_weight(p) * d * d.transpose();
+      right += height_weight(p) * d * (p.height_m - p.local.z() - difference);
     }
     fit.rise = normal.ldlt().solve(right);
     fit.chi2 += known * fit.rise.squaredNorm();
@@ -77,7 +77,7 @@ HeightFit fit_heights(const std::vector<HeightPair>& pairs, const std::optional<
   fit.rise_covariance = normal.inverse();
   for (const auto& p : pairs) {
     fit.residuals_m.push_back(p.height_m - fit.height_of(p.local));
-    fit.chi2 += fit.residuals_m.back() * fit.residuals_m.back() * weight_of(p);
+    fit.chi2 += fit.residuals_m.back() * fit.residuals_m.back() * height_weight(p);
   }
   // A known level gives the rise as many observations as unknowns.
   fit.redundancy = static_cast<int>(pairs.size()) - (fit.levelled && !known_level_rad ? 3 : 1);

@@ -9,7 +9,7 @@
 namespace bole::survey {
 namespace {
 
-double weight_of(const PlanPair& p) { return 1 / (p.sd_m * p.sd_m); }
+double plan_weight(const PlanPair& p) { return 1 / (p.sd_m * p.sd_m); }
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -27,7 +27,7 @@ struct Sums {
 Sums sums_of(const std::vector<PlanPair>& pairs) {
   Sums s;
   for (const auto& p : pairs) {
-    const double w = weight_of(p);
+    const double w = plan_weight(p);
     s.weight += w;
     s.local += w * p.local;
     s.global += w * p.global;
@@ -35,7 +35,7 @@ Sums sums_of(const std::vector<PlanPair>& pairs) {
   s.local /= s.weight;
   s.global /= s.weight;
   for (const auto& p : pairs) {
-    const double w = weight_of(p);
+    const double w = plan_weight(p);
     const Eigen::Vector2d a = p.local - s.local, b = p.global - s.global;
     s.dot += w * a.dot(b);
     s.cross += w * cross(a, b);
@@ -81,7 +81,7 @@ PlanFit fit_plan(const std::vector<PlanPair>& pairs, double scale, const std::op
   fit.shift_se_m = 1 / std::sqrt(s.weight);
   for (const auto& p : pairs) {
     fit.residuals.push_back(p.global - fit.to_global(p.local));
-    fit.chi2 += fit.residuals.back().squaredNorm() * weight_of(p);
+    fit.chi2 += fit.residuals.back().squaredNorm() * plan_weight(p);
   }
   if (known) {
     const double off = wrapped(fit.turn_rad - known->turn_rad) / known->sd_rad;

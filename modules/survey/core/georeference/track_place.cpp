@@ -52,7 +52,7 @@ Track fixes_of(const Table& track, const geo::ProjectedCrs& crs) {
   return out;
 }
 
-void tell(const TrackFit& fit, double shared_m, Report& report) {
+void tell_track_fit(const TrackFit& fit, double shared_m, Report& report) {
   report.counts["fixes"] = static_cast<std::int64_t>(fit.fixes);
   report.metrics["clock_offset"] = {fit.clock_offset_s, Unit::second};
   report.metrics["clock_offset_se"] = {fit.clock_offset_se_s, Unit::second};
@@ -104,7 +104,7 @@ Georeference place_by_track(const Trajectory& walk, const Table& track, const ge
 
   Georeference out;
   const double shared_m = o.track_sd ? *o.track_sd : median(read.shared_m);
-  tell(fit, shared_m, out.report);
+  tell_track_fit(fit, shared_m, out.report);
   if (clock.rival_s)
     out.report.find(
         Severity::look, "clock_by_overlap",

@@ -47,7 +47,7 @@ std::vector<Part> parts_of(const fs::path& path, Report& report) {
 }
 
 // file_path may lack its ending.
-fs::path image_of(const fs::path& folder, const std::string& file) {
+fs::path nerf_image(const fs::path& folder, const std::string& file) {
   auto path = (folder / file).lexically_normal();
   if (has_image_ending(path)) return path;
   for (const char* ending : {".png", ".jpg", ".jpeg", ".PNG", ".JPG"})
@@ -61,7 +61,7 @@ void complete_cameras(const fs::path& folder, TransformsFile& file) {
   for (auto& view : file.views) {
     const bool complete = view.camera.width > 0 && view.camera.height > 0;
     if (complete) continue;
-    const auto path = image_of(folder, view.file);
+    const auto path = nerf_image(folder, view.file);
     if (!header && is_there(path)) {
       try {
         header = read_image_header(path);
@@ -95,7 +95,7 @@ void take_part(const Part& part, const fs::path& folder, FoundViews& found, Tall
     camera.depth_scale = file.depth_scale;
     ViewFile out{.name = fs::path(view.file).lexically_normal().string(),
                  .time_s = static_cast<double>(found.files.size()) / views_per_second,
-                 .color = image_of(folder, view.file)};
+                 .color = nerf_image(folder, view.file)};
     if (!view.depth_file.empty()) out.depth = (folder / view.depth_file).lexically_normal();
     if (!view.mask_file.empty()) out.mask = (folder / view.mask_file).lexically_normal();
     out.camera = camera_index(camera, found.cameras);

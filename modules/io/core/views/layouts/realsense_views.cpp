@@ -47,7 +47,7 @@ std::vector<Export> exports_of(const fs::path& folder, std::string_view stream) 
   return found;
 }
 
-std::map<std::string, std::string, std::less<>> read_metadata(const Export& image, const char* stream) {
+std::map<std::string, std::string, std::less<>> read_realsense_metadata(const Export& image, const char* stream) {
   std::map<std::string, std::string, std::less<>> values;
   const auto stem = image.path.stem().string();
   const auto number = stem.substr(image.prefix.size() + 1 + std::string_view(stream).size());
@@ -73,7 +73,7 @@ std::map<std::string, std::string, std::less<>> read_metadata(const Export& imag
 // Intrinsics in the metadata of a stream; nothing where there are none.
 std::optional<CameraModel> camera_in_metadata(const std::vector<Export>& images, const char* stream) {
   if (images.empty()) return std::nullopt;
-  const auto values = read_metadata(images.front(), stream);
+  const auto values = read_realsense_metadata(images.front(), stream);
   const auto number = [&](std::initializer_list<const char*> names) {
     double value = 0;
     for (const char* name : names)

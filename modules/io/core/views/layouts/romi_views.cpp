@@ -68,7 +68,7 @@ RgbdCamera camera_of(const Json& model) {
   return camera;
 }
 
-RomiView read_metadata(const fs::path& path) {
+RomiView read_romi_metadata(const fs::path& path) {
   const MappedFile file(path);
   const auto json = parse_object(file.bytes(), "the metadata of an image");
   RomiView view;
@@ -88,7 +88,7 @@ RomiView read_metadata(const fs::path& path) {
   return view;
 }
 
-fs::path image_of(const fs::path& folder, const std::string& stem) {
+fs::path romi_image(const fs::path& folder, const std::string& stem) {
   for (const char* ending : {".png", ".jpg", ".jpeg"})
     if (is_there(folder / "images" / (stem + ending))) return folder / "images" / (stem + ending);
   return folder / "images" / (stem + ".png");
@@ -116,7 +116,7 @@ FoundViews find_romi_views(const fs::path& folder, const ReadViewsOptions& optio
     const auto stem = metadata.stem().string();
     RomiView view;
     try {
-      view = read_metadata(metadata);
+      view = read_romi_metadata(metadata);
     } catch (const Error& e) {
       if (e.kind() != ErrorKind::bad_input) throw;
       damaged.add(std::string(e.what()));
@@ -124,7 +124,7 @@ FoundViews find_romi_views(const fs::path& folder, const ReadViewsOptions& optio
     }
     ViewFile file{.name = stem,
                   .time_s = static_cast<double>(found.files.size()) / views_per_second,
-                  .color = image_of(folder, stem)};
+                  .color = romi_image(folder, stem)};
     file.T_world_camera = view.T_world_camera;
     approximate += view.approximate;
     if (!camera_given) {

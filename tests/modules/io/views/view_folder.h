@@ -9,7 +9,7 @@
 #include "io/core/views/camera_file.h"
 #include "io/core/views/open_views.h"
 #include "io/core/views/view_files.h"
-#include "io_test_tools.h"
+#include "modules/io/io_test_tools.h"
 
 namespace bole::testing_io {
 
