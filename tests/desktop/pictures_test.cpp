@@ -8,8 +8,12 @@
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QSettings>
+#include <QTemporaryDir>
 
+#include "features/clouds/clouds.h"
 #include "features/field_check/field_check.h"
+#include "features/section/section.h"
+#include "io/core/clouds/cloud_writer.h"
 #include "look/language.h"
 #include "look/theme.h"
 #include "messages.h"
@@ -20,6 +24,7 @@
 #include "shell_test.h"
 #include "views/chart_view.h"
 #include "views/scene_view.h"
+#include "views/section_view.h"
 
 namespace bole::desktop {
 namespace {
@@ -136,6 +141,28 @@ class PicturesTest : public QObject {
     window.stems().select_tree(1);
     window.scene().look_along({0.5, 1.0, -0.55}, Eigen::Vector3d::UnitZ());
     compare("window_zh", &window);
+  }
+  // The sample plot beside itself, a step to the side.
+  void clouds() {
+    install_language(*QCoreApplication::instance(), "en");
+    const QTemporaryDir folder;
+    const auto& survey = *window_->scene().survey().points;
+    PointCloud earlier(survey.positions(), survey.origin);
+    earlier.scale = Eigen::Vector3d::Constant(0.001);
+    const QString file = folder.filePath("last_year.laz");
+    io::write_cloud(file.toStdString(), earlier);
+    auto* clouds = window_->findChild<Clouds*>();
+    clouds->add(file);
+    QTRY_COMPARE_WITH_TIMEOUT(clouds->list().size(), std::size_t{1}, 20000);
+    const int id = clouds->list().front().id;
+    clouds->place(id, {0.4, 0, 0}, 0);
+    window_->commands().trigger("view.eye_dome");
+    const auto box = window_->scene().whole();
+    auto* section = window_->findChild<SectionTool*>();
+    section->show({{box.lo.x(), 2}, {box.hi.x(), 2}, 2});
+    QTRY_VERIFY_WITH_TIMEOUT(section->view().section() && section->view().section()->points_of(1) > 0, 10000);
+    compare("clouds", window_.get());
+    window_->session().discard_recovery();
   }
   // The last one: its tab stays.
   void graph() {

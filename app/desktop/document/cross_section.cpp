@@ -12,19 +12,18 @@ constexpr double piece_m = 4;  // boxes along a slanting line, that the octree i
 constexpr double terrain_bin_m = 0.25, terrain_gap_m = 1.5;
 constexpr double course_m = 1;  // over which the direction of a path is taken
 
-std::vector<std::uint32_t> slab_points(const Survey& survey, const SectionLine& line) {
-  const auto& cloud = *survey.points;
+std::vector<std::uint32_t> slab_points(const PointCloud& cloud, const PointIndex* index, const SectionLine& line) {
   std::vector<std::uint32_t> found;
   const auto keep = [&](std::uint32_t i, double lo_m, double hi_m) {
     const Eigen::Vector2d at = line.along_and_off(cloud.position(i).head<2>());
     if (at.x() >= lo_m && at.x() < hi_m && std::abs(at.y()) <= line.width_m / 2) found.push_back(i);
   };
-  if (!survey.index) {
+  if (index == nullptr) {
     for (std::uint32_t i = 0; i < cloud.size(); ++i) keep(i, 0, line.length_m());
     return found;
   }
   // Without the levels of detail every box looks at every point.
-  const double step_m = survey.index->complete() ? std::max(piece_m, line.width_m) : line.length_m();
+  const double step_m = index->complete() ? std::max(piece_m, line.width_m) : line.length_m();
   for (double at_m = 0; at_m < line.length_m(); at_m += step_m) {
     const double end_m = std::min(at_m + step_m, line.length_m());
     Eigen::Vector2d lo = Eigen::Vector2d::Constant(1e300), hi = -lo;
@@ -35,7 +34,7 @@ std::vector<std::uint32_t> slab_points(const Survey& survey, const SectionLine& 
         hi = hi.cwiseMax(corner);
       }
     const Eigen::Vector3d low(lo.x(), lo.y(), -1e6), high(hi.x(), hi.y(), 1e6);
-    auto near = survey.index->in_box(cloud, (low - cloud.origin).cast<float>(), (high - cloud.origin).cast<float>());
+    auto near = index->in_box(cloud, (low - cloud.origin).cast<float>(), (high - cloud.origin).cast<float>());
     std::ranges::sort(near);
     for (const auto i : near) keep(i, at_m, end_m);
   }
@@ -43,8 +42,7 @@ std::vector<std::uint32_t> slab_points(const Survey& survey, const SectionLine& 
 }
 
 // From the heights above ground of the points: each says where the ground below it is.
-std::vector<std::vector<Eigen::Vector2d>> terrain_of(const PointCloud& cloud, const std::vector<std::uint32_t>& indices,
-                                                     const std::vector<Eigen::Vector2d>& places) {
+std::vector<std::vector<Eigen::Vector2d>> terrain_of(const PointCloud& cloud, const CrossSection& section) {
   if (!cloud.has(arrays::height_above_ground)) return {};
   const auto* heights = std::get_if<std::vector<float>>(&cloud.column(arrays::height_above_ground.name));
   if (heights == nullptr) return {};
@@ -53,8 +51,10 @@ std::vector<std::vector<Eigen::Vector2d>> terrain_of(const PointCloud& cloud, co
     std::size_t count = 0;
   };
   std::map<long, Sum> bins;
-  for (std::size_t k = 0; k < indices.size(); ++k) {
-    const double ground = places[k].y() - static_cast<double>((*heights)[indices[k]]);
+  const auto& places = section.drawn.points;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (section.owners[k] != 0) continue;
+    const double ground = places[k].y() - static_cast<double>((*heights)[section.indices[k]]);
     if (!std::isfinite(ground)) continue;
     auto& bin = bins[std::lround(places[k].x() / terrain_bin_m)];
     bin.z += ground;
@@ -67,6 +67,36 @@ std::vector<std::vector<Eigen::Vector2d>> terrain_of(const PointCloud& cloud, co
     pieces.back().push_back(place);
   }
   return pieces;
+}
+
+struct SlabPoint {
+  double nearness = 0;
+  std::uint32_t owner = 0, index = 0;
+  auto operator<=>(const SlabPoint&) const = default;
+};
+
+// The share of one cloud of all that may be drawn.
+void thin_evenly(std::vector<std::uint32_t>& indices, std::size_t of_all) {
+  if (of_all <= max_section_points) return;
+  const std::size_t kept = indices.size() * max_section_points / of_all;
+  for (std::size_t k = 0; k < kept; ++k) indices[k] = indices[k * indices.size() / kept];
+  indices.resize(kept);
+}
+
+void paint_owner(CrossSection& section, std::uint32_t owner, const SectionCloud& cloud) {
+  std::vector<std::uint32_t> indices;
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < section.indices.size(); ++k)
+    if (section.owners[k] == owner) {
+      indices.push_back(section.indices[k]);
+      places.push_back(k);
+    }
+  if (indices.empty()) return;
+  std::vector<std::uint8_t> rgb(3 * indices.size());
+  render::paint_points(*cloud.points, indices, cloud.paint, rgb.data());
+  for (std::size_t k = 0; k < places.size(); ++k)
+    std::copy_n(rgb.begin() + static_cast<std::ptrdiff_t>(3 * k), 3,
+                section.drawn.rgb.begin() + static_cast<std::ptrdiff_t>(3 * places[k]));
 }
 
 // The outline of a stem that reaches into the slab.
@@ -110,32 +140,42 @@ SectionLine SectionLine::shifted(double metres) const {
   return {from + by, to + by, width_m};
 }
 
+std::size_t CrossSection::points_of(std::uint32_t owner) const {
+  return static_cast<std::size_t>(std::ranges::count(owners, owner));
+}
+
 CrossSection cut_through(const Survey& survey, const SectionLine& line, const render::PointPaint& paint,
-                         const std::vector<render::StemShape>& stems) {
+                         const std::vector<render::StemShape>& stems, const std::vector<SectionCloud>& beside) {
   CrossSection section;
   section.drawn.length_m = line.length_m();
   for (const auto& stem : stems)
     if (auto outline = outline_of_stem(stem, line)) section.drawn.stems.push_back(std::move(*outline));
-  if (!survey.points || line.length_m() <= 0) return section;
-  auto& indices = section.indices;
-  indices = slab_points(survey, line);
-  section.found = indices.size();
-  if (indices.size() > max_section_points) {
-    for (std::size_t k = 0; k < max_section_points; ++k) indices[k] = indices[k * indices.size() / max_section_points];
-    indices.resize(max_section_points);
+  if (line.length_m() <= 0) return section;
+  std::vector<SectionCloud> all{{survey.points, survey.index, paint, {}}};
+  all.insert(all.end(), beside.begin(), beside.end());
+  std::vector<std::vector<std::uint32_t>> found;
+  for (const auto& cloud : all) {
+    found.push_back(cloud.points ? slab_points(*cloud.points, cloud.index.get(), line) : std::vector<std::uint32_t>());
+    section.found += found.back().size();
   }
-  // What is near covers what is far.
-  std::vector<std::pair<double, std::uint32_t>> by_depth;
-  for (const auto i : indices) by_depth.emplace_back(-line.along_and_off(survey.points->position(i).head<2>()).y(), i);
+  // What is near covers what is far, whose ever it is.
+  std::vector<SlabPoint> by_depth;
+  for (std::uint32_t k = 0; k < all.size(); ++k) {
+    thin_evenly(found[k], section.found);
+    for (const auto i : found[k])
+      by_depth.push_back({-line.along_and_off(all[k].points->position(i).head<2>()).y(), k, i});
+  }
   std::ranges::sort(by_depth);
-  for (std::size_t k = 0; k < indices.size(); ++k) {
-    indices[k] = by_depth[k].second;
-    const auto p = survey.points->position(indices[k]);
+  section.drawn.rgb.resize(3 * by_depth.size());
+  for (const auto& point : by_depth) {
+    const auto p = all[point.owner].points->position(point.index);
+    section.indices.push_back(point.index);
+    section.owners.push_back(point.owner);
     section.drawn.points.emplace_back(line.along_and_off(p.head<2>()).x(), p.z());
   }
-  section.drawn.rgb.resize(3 * indices.size());
-  if (!indices.empty()) render::paint_points(*survey.points, indices, paint, section.drawn.rgb.data());
-  section.drawn.terrain = terrain_of(*survey.points, indices, section.drawn.points);
+  for (std::uint32_t k = 0; k < all.size(); ++k) paint_owner(section, k, all[k]);
+  for (const auto& cloud : beside) section.drawn.clouds.push_back(cloud.key);
+  if (survey.points) section.drawn.terrain = terrain_of(*survey.points, section);
   return section;
 }
 

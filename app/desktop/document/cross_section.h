@@ -25,14 +25,26 @@ struct SectionLine {
   SectionLine shifted(double metres) const;  // behind
 };
 
-struct CrossSection {
-  render::CrossSectionData drawn;
-  std::vector<std::uint32_t> indices;  // in the cloud, of drawn.points
-  std::size_t found = 0;               // points in the slab; more than are drawn where there are very many
+// A cloud that is laid beside the survey, where it is placed.
+struct SectionCloud {
+  std::shared_ptr<const PointCloud> points;
+  std::shared_ptr<const PointIndex> index;  // of `points`; null: every point is looked at
+  render::PointPaint paint;
+  render::CloudKey key;
 };
 
+struct CrossSection {
+  render::CrossSectionData drawn;
+  std::vector<std::uint32_t> indices;  // of drawn.points, in the cloud of each
+  std::vector<std::uint32_t> owners;   // of drawn.points: 0 the survey, k the k-th cloud beside it
+  std::size_t found = 0;               // points in the slab; more than are drawn where there are very many
+
+  std::size_t points_of(std::uint32_t owner) const;  // that are drawn
+};
+
+// Terrain and stems are those of the survey.
 CrossSection cut_through(const Survey& survey, const SectionLine& line, const render::PointPaint& paint,
-                         const std::vector<render::StemShape>& stems);
+                         const std::vector<render::StemShape>& stems, const std::vector<SectionCloud>& beside = {});
 
 // The points of the slab of a cloud on disk, every point once: no finer than the picture of the section can show. For
 // threads other than that of the window. Throws bole::Error.

@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 #include <QStringList>
+#include <array>
 
 #include "io/core/formats.h"
 #include "io/core/views/view_layouts.h"
@@ -24,6 +25,13 @@ FileKind kind_of_file(const QString& path) {
 }
 
 QString pipeline_endings() { return "*.json"; }
+
+QString cloud_endings() {
+  QStringList patterns;
+  for (const auto& pattern : io::file_patterns(std::array{io::FileContent::cloud}))
+    patterns << QString::fromStdString(pattern);
+  return patterns.join(' ');
+}
 
 QString all_endings() {
   QStringList patterns{pipeline_endings()};

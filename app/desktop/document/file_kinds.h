@@ -11,6 +11,7 @@ enum class FileKind { pipeline, cloud, scan, views, unknown };
 FileKind kind_of_file(const QString& path);
 
 QString pipeline_endings();  // "*.json", as a dialog takes them
+QString cloud_endings();     // of point clouds
 QString all_endings();       // of everything that can be opened: "*.json *.las ..."
 
 }  // namespace bole::desktop

@@ -5,7 +5,7 @@
 // connections; its objects are children of the workbench.
 #define BOLE_FEATURES(feature)                                                                                        \
   feature(sample) feature(stem_review) feature(stem_edit) feature(view_tools) feature(measure) feature(section)       \
-      feature(point_edit) feature(rows) feature(loops) feature(georeference) feature(figure_export)                   \
+      feature(clouds) feature(point_edit) feature(rows) feature(loops) feature(georeference) feature(figure_export)   \
           feature(flythrough) feature(walk) feature(first_look) feature(pictures) feature(novel_view) feature(traits) \
               feature(run) feature(history) feature(decisions) feature(graph) feature(field_check) feature(lesson)
 

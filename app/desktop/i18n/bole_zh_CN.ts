@@ -184,6 +184,18 @@
             <source>points to noise</source>
             <translation>点归于噪声</translation>
         </message>
+        <message>
+            <source>%1 m</source>
+            <translation>%1 米</translation>
+        </message>
+        <message>
+            <source>%1 km</source>
+            <translation>%1 千米</translation>
+        </message>
+        <message>
+            <source>Thinned to %1 of %2 points: more would take more than the memory for them.</source>
+            <translation>抽稀为 %2 个点中的 %1 个:再多将超出用于点的内存。</translation>
+        </message>
     </context>
     <context>
         <name>bole::desktop::ChartView</name>
@@ -3091,6 +3103,252 @@
         <message>
             <source>Standard error of the position</source>
             <translation>位置的标准误差</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::CloudPanel</name>
+        <message>
+            <source>Height (z)</source>
+            <translation>高程 (z)</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>Clouds</source>
+            <translation>点云</translation>
+        </message>
+        <message>
+            <source>Cloud</source>
+            <translation>点云</translation>
+        </message>
+        <message>
+            <source>Points</source>
+            <translation>点数</translation>
+        </message>
+        <message>
+            <source>Ticked clouds are drawn. Space: tick. Double click: zoom to it.</source>
+            <translation>显示已勾选的点云。空格键:勾选。双击:缩放至该点云。</translation>
+        </message>
+        <message>
+            <source>Add…</source>
+            <translation>添加…</translation>
+        </message>
+        <message>
+            <source>Zoom to</source>
+            <translation>缩放至</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>移除</translation>
+        </message>
+        <message>
+            <source>Shift x</source>
+            <translation>平移 x</translation>
+        </message>
+        <message>
+            <source>Shift y</source>
+            <translation>平移 y</translation>
+        </message>
+        <message>
+            <source>Shift z</source>
+            <translation>平移 z</translation>
+        </message>
+        <message>
+            <source>By how much the cloud is moved; its file stays as it is</source>
+            <translation>点云移动的距离;文件保持不变</translation>
+        </message>
+        <message>
+            <source> m</source>
+            <translation> 米</translation>
+        </message>
+        <message>
+            <source>Counter-clockwise about the vertical through the middle of the cloud</source>
+            <translation>绕过点云中心的铅垂线逆时针旋转</translation>
+        </message>
+        <message>
+            <source>Turn</source>
+            <translation>旋转</translation>
+        </message>
+        <message>
+            <source>One colour keeps clouds apart. Numbers that colour the survey too have the same scale.</source>
+            <translation>单一颜色便于区分各点云。与调查数据按同一数值着色时,色标相同。</translation>
+        </message>
+        <message>
+            <source>Another colour for the cloud</source>
+            <translation>为点云另选颜色</translation>
+        </message>
+        <message>
+            <source>Colour</source>
+            <translation>颜色</translation>
+        </message>
+        <message>
+            <source>Size of a point on the screen</source>
+            <translation>点在屏幕上的大小</translation>
+        </message>
+        <message>
+            <source> px</source>
+            <translation> 像素</translation>
+        </message>
+        <message>
+            <source>as the survey</source>
+            <translation>与调查数据相同</translation>
+        </message>
+        <message>
+            <source>Point size</source>
+            <translation>点大小</translation>
+        </message>
+        <message>
+            <source>not read</source>
+            <translation>未读取</translation>
+        </message>
+        <message>
+            <source>This cloud lies %1 from the survey, too far to be drawn with it.</source>
+            <translation>该点云距调查数据 %1,太远,无法一同显示。</translation>
+        </message>
+        <message>
+            <source>This cloud lies %1 from the survey.</source>
+            <translation>该点云距调查数据 %1。</translation>
+        </message>
+        <message>
+            <source>Shown from the disk: what is near comes in full.</source>
+            <translation>自磁盘显示:近处的点将全部载入。</translation>
+        </message>
+        <message>
+            <source>Clouds to look at beside the survey. They are drawn, measured by clicks and cut, and never enter a computation.</source>
+            <translation>与调查数据一同查看的点云。可显示、点击量测和剖切,但从不参与计算。</translation>
+        </message>
+        <message>
+            <source>Choose its file…</source>
+            <translation>选择其文件…</translation>
+        </message>
+        <message>
+            <source>Move here</source>
+            <translation>移到此处</translation>
+        </message>
+        <message>
+            <source>The file where it lies now; place and look of the cloud stay</source>
+            <translation>文件现在所在的位置;点云的位置和外观保持不变</translation>
+        </message>
+        <message>
+            <source>One colour</source>
+            <translation>单一颜色</translation>
+        </message>
+        <message>
+            <source>Colour of the cloud</source>
+            <translation>点云颜色</translation>
+        </message>
+        <message>
+            <source>Where is %1?</source>
+            <translation>%1 在哪里?</translation>
+        </message>
+        <message>
+            <source>Point clouds</source>
+            <translation>点云文件</translation>
+        </message>
+        <message>
+            <source>All files</source>
+            <translation>所有文件</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::Clouds</name>
+        <message>
+            <source>move cloud %1</source>
+            <translation>移动点云 %1</translation>
+        </message>
+        <message>
+            <source>Select a cloud in the panel Clouds first.</source>
+            <translation>请先在“点云”面板中选择一个点云。</translation>
+        </message>
+        <message>
+            <source>Add a cloud to look at…</source>
+            <translation>添加对照点云…</translation>
+        </message>
+        <message>
+            <source>Another point cloud beside the survey: drawn, measured and cut, never computed with</source>
+            <translation>与调查数据一同查看的另一点云:可显示、量测和剖切,从不参与计算</translation>
+        </message>
+        <message>
+            <source>Show the cloud</source>
+            <translation>显示点云</translation>
+        </message>
+        <message>
+            <source>Zoom to the cloud</source>
+            <translation>缩放至点云</translation>
+        </message>
+        <message>
+            <source>Select a cloud that is drawn first.</source>
+            <translation>请先选择一个已显示的点云。</translation>
+        </message>
+        <message>
+            <source>Move the cloud to the survey</source>
+            <translation>将点云移到调查数据处</translation>
+        </message>
+        <message>
+            <source>By the coordinate system where both have one, else centre onto centre; its numbers can be changed afterwards</source>
+            <translation>两者都有坐标系时按坐标系移动,否则中心对中心;之后可修改数值</translation>
+        </message>
+        <message>
+            <source>Remove the cloud</source>
+            <translation>移除点云</translation>
+        </message>
+        <message>
+            <source>From the list; its file stays</source>
+            <translation>从列表中移除;文件保留</translation>
+        </message>
+        <message>
+            <source>Cancel the reading</source>
+            <translation>取消读取</translation>
+        </message>
+        <message>
+            <source>No cloud is being read.</source>
+            <translation>没有正在读取的点云。</translation>
+        </message>
+        <message>
+            <source>Add a cloud to look at</source>
+            <translation>添加对照点云</translation>
+        </message>
+        <message>
+            <source>Point clouds</source>
+            <translation>点云文件</translation>
+        </message>
+        <message>
+            <source>All files</source>
+            <translation>所有文件</translation>
+        </message>
+        <message>
+            <source>Reading %1</source>
+            <translation>正在读取 %1</translation>
+        </message>
+        <message>
+            <source>Reading %1: %2 %</source>
+            <translation>正在读取 %1:%2 %</translation>
+        </message>
+        <message>
+            <source>add cloud %1</source>
+            <translation>添加点云 %1</translation>
+        </message>
+        <message>
+            <source>Its reading was cancelled.</source>
+            <translation>读取已取消。</translation>
+        </message>
+        <message>
+            <source>%1 lies %2 from the survey. &quot;Move here&quot; in the panel Clouds moves it there.</source>
+            <translation>%1 距调查数据 %2。点击“点云”面板中的“移到此处”可将其移来。</translation>
+        </message>
+        <message>
+            <source>remove cloud %1</source>
+            <translation>移除点云 %1</translation>
+        </message>
+        <message>
+            <source>%1 was moved by the place of the survey in their coordinate system: %2, %3, %4 m</source>
+            <translation>已按调查数据在共同坐标系中的位置移动 %1:%2, %3, %4 米</translation>
+        </message>
+        <message>
+            <source>%1 was moved centre onto centre: %2, %3, %4 m</source>
+            <translation>已将 %1 中心对中心移动:%2, %3, %4 米</translation>
         </message>
     </context>
     <context>

@@ -50,19 +50,22 @@ std::optional<std::filesystem::path> cloud_for_disk(const pipeline::StageNode& n
   for (const auto& spec : node.type->options->specs) {
     if (spec.text_kind != TextKind::input_path) continue;
     const std::filesystem::path path = std::get<std::string>(node.options.get(spec.name));
-    try {
-      const io::MappedFile file(path);
-      if (file.bytes().size() < 4 || std::memcmp(file.bytes().data(), "LASF", 4) != 0) return {};
-      const auto info = io::las::parse_info(file.bytes());
-      const auto metres = io::las::metres_per_crs_unit(info.crs_wkt);
-      if (metres && std::abs(*metres - 1) > 1e-9) return {};
-      if (bytes_in_memory(info) > static_cast<double>(memory_bytes)) return path;
-    } catch (const Error&) {
-      // The reader says what is wrong with it.
-    }
-    return {};
+    return file_for_disk(path, memory_bytes) ? std::optional(path) : std::nullopt;
   }
   return {};
+}
+
+bool file_for_disk(const std::filesystem::path& cloud, std::size_t memory_bytes) {
+  try {
+    const io::MappedFile file(cloud);
+    if (file.bytes().size() < 4 || std::memcmp(file.bytes().data(), "LASF", 4) != 0) return false;
+    const auto info = io::las::parse_info(file.bytes());
+    const auto metres = io::las::metres_per_crs_unit(info.crs_wkt);
+    if (metres && std::abs(*metres - 1) > 1e-9) return false;
+    return bytes_in_memory(info) > static_cast<double>(memory_bytes);
+  } catch (const Error&) {
+    return false;  // the reader says what is wrong with it
+  }
 }
 
 std::filesystem::path index_of_cloud(const std::filesystem::path& cloud) {

@@ -14,6 +14,8 @@ namespace bole::desktop {
 // The LAS, LAZ or COPC file that a stage reads as it is (no part of it, in metres, z up), when its points take
 // more than `memory_bytes`; nothing for others, and where the file cannot be read.
 std::optional<std::filesystem::path> cloud_for_disk(const pipeline::StageNode& node, std::size_t memory_bytes);
+// Whether a file that is read as it is is one: LAS, LAZ or COPC, in metres, and too large.
+bool file_for_disk(const std::filesystem::path& cloud, std::size_t memory_bytes);
 
 // What all points of a file would take in memory.
 double bytes_in_memory(const io::LasInfo& info);

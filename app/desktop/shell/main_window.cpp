@@ -174,6 +174,12 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
   const auto urls = event->mimeData()->urls();
   if (urls.isEmpty()) return;
+  if (event->keyboardModifiers().testFlag(Qt::ShiftModifier) && session().has_document()) {
+    event->setDropAction(Qt::CopyAction);
+    event->accept();
+    for (const auto& url : urls) Q_EMIT cloud_dropped(url.toLocalFile());
+    return;
+  }
   guarded([&] { open(urls.front().toLocalFile()); });
 }
 

@@ -74,6 +74,13 @@ void SceneView::zoom_to(const Eigen::Vector3d& place) {
   redraw();
 }
 
+void SceneView::zoom_to(const render::ClipBox& box) {
+  fit_box(renderer_->GetActiveCamera(), box.lo - origin_, box.hi - origin_,
+          static_cast<double>(width()) / std::max(1, height()));
+  begin_motion();
+  redraw();
+}
+
 render::PickView SceneView::pick_view() {
   const int* size = renderer_->GetSize();
   const double aspect = static_cast<double>(std::max(size[0], 1)) / std::max(size[1], 1);

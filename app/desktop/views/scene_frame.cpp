@@ -61,7 +61,12 @@ void SceneView::before_frame() {
   frame_start_ = std::chrono::steady_clock::now();
   timed_ = moving_;
   const auto budget = moving_ ? pace_.next() : at_rest;
-  complete_ = layer_.update(renderer_, budget.points, budget.fresh);
+  // Each cloud has its share of the frame; the survey has what is left.
+  const std::size_t layers = 1 + clouds_.drawn_clouds();
+  const bool clouds_complete = clouds_.update(budget.points / layers, budget.fresh / layers);
+  const auto left = [](std::size_t all, std::size_t taken) { return all - std::min(all, taken); };
+  complete_ = layer_.update(renderer_, left(budget.points, clouds_.drawn()), left(budget.fresh, clouds_.fresh())) &&
+              clouds_complete;
   renderer_->ResetCameraClippingRange();
   furniture_.set_shadow({}, 0, 0);
   place_furniture();
@@ -71,7 +76,7 @@ void SceneView::after_frame() {
   drawing_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_start_).count();
   if (moving_) return rest_.start(rest_ms);
   if (!complete_) return rest_.start(0);
-  if (!settings_.eye_dome || rendering_ || layer_.awaited() > 0) return;
+  if (!settings_.eye_dome || rendering_ || awaited() > 0) return;
   const int* size = renderWindow()->GetSize();
   render::EyeDomeOptions shading;
   shading.radius_px = 1.6 * devicePixelRatioF();
@@ -83,8 +88,8 @@ void SceneView::after_frame() {
 // The picture is on the screen: all that a frame costs has been paid.
 void SceneView::frame_shown() {
   if (!std::exchange(timed_, false)) return;
-  pace_.note(std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_start_).count(), layer_.drawn(),
-             layer_.fresh(), !complete_);
+  pace_.note(std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_start_).count(),
+             layer_.drawn() + clouds_.drawn(), layer_.fresh() + clouds_.fresh(), !complete_);
 }
 
 double SceneView::draw_moving_frame() {
@@ -99,6 +104,7 @@ void SceneView::place_furniture() {
   f.width_mm = width() * mm_per_px;
   f.height_mm = height() * mm_per_px;
   if (settings_.legend && survey_.points && !survey_.points->empty() && !rendering_) f.paint = layer_.paint();
+  if (settings_.legend && !rendering_) f.clouds = clouds_.keys();
   auto* camera = renderer_->GetActiveCamera();
   const double half_m = half_height_m(camera);
   if (settings_.scale_bar && has_survey() && half_m > 0) f.mm_per_metre = f.height_mm / 2 / half_m;

@@ -18,9 +18,17 @@ const std::string outline_layer = "outline";
 
 }  // namespace
 
-std::optional<render::PickedPoint> SceneView::point_at(const QPoint& at) {
-  if (!survey_.points) return {};
-  return render::pick_point(pick_view(), layer_.drawn_points(), to_pixels(at), pick_reach_px * devicePixelRatioF());
+std::optional<SceneView::PointThere> SceneView::point_at(const QPoint& at, bool of_survey_only) {
+  if (!survey_.points && clouds().empty()) return {};
+  auto drawn = layer_.drawn_points();
+  const std::size_t of_survey = drawn.size();
+  std::vector<const SceneCloud*> owners;
+  if (!of_survey_only) clouds_.add_drawn(drawn, owners);
+  const auto point = render::pick_point(pick_view(), drawn, to_pixels(at), pick_reach_px * devicePixelRatioF());
+  if (!point) return {};
+  for (std::size_t k = of_survey; k < drawn.size(); ++k)
+    if (drawn[k].cloud == point->cloud) return PointThere{*point, owners[k - of_survey]};
+  return PointThere{*point};
 }
 
 std::optional<std::uint32_t> SceneView::picked() const {
@@ -31,7 +39,9 @@ void SceneView::pick(const QPoint& at) {
   const auto view = pick_view();
   facts_.clear();
   std::optional<std::int64_t> tree;
-  picked_ = point_at(at);
+  const auto there = point_at(at);
+  picked_ = there ? std::optional(there->point) : std::nullopt;
+  const bool of_survey = !there || there->beside == nullptr;
   if (const auto camera = cameras_.at(view, to_pixels(at), line_px * devicePixelRatioF())) {
     // A camera is hidden by points before it.
     const auto point = picked_ ? render::on_screen(view, picked_->position()) : std::nullopt;
@@ -43,9 +53,10 @@ void SceneView::pick(const QPoint& at) {
     }
   }
   if (picked_) {
+    if (!of_survey) facts_ << there->beside->name;
     for (const auto& line : render::describe_point(*picked_->cloud, picked_->index))
       facts_ << QString::fromStdString(line);
-    if (picked_->cloud->has(arrays::tree_id))
+    if (of_survey && picked_->cloud->has(arrays::tree_id))  // trees of another survey have other numbers
       if (const auto id = picked_->cloud->values<std::int32_t>(arrays::tree_id)[picked_->index]; id > 0) tree = id;
   }
   if (const auto stem = render::pick_stem(view, shapes_, to_pixels(at), 2 * devicePixelRatioF())) {
@@ -76,16 +87,18 @@ bool SceneView::behind_a_stem(const Eigen::Vector3d& point, const QPoint& at) {
   return stem && place && place->depth > stem->depth + behind_m;
 }
 
-void SceneView::give_place(const render::PickedPoint& point) {
+void SceneView::give_place(const render::PickedPoint& point, bool of_survey) {
   taken_cloud_ = point.cloud;
+  taken_from_survey_ = of_survey;
   Q_EMIT place_taken(exact_position(*point.cloud, point.index), point.index);
 }
 
 void SceneView::take_place(const QPoint& at) {
-  if (const auto point = point_at(at); point && !behind_a_stem(point->position(), at)) {
-    give_place(*point);
+  if (const auto there = point_at(at); there && !behind_a_stem(there->point.position(), at)) {
+    give_place(there->point, there->beside == nullptr);
   } else if (const auto ground = render::on_plane(pick_view(), to_pixels(at), whole().lo.z())) {
     taken_cloud_ = nullptr;
+    taken_from_survey_ = true;
     Q_EMIT place_taken(*ground, QVariant());
   }
 }
@@ -97,7 +110,7 @@ void SceneView::drop_outline() {
 }
 
 void SceneView::take_stroke(const QPoint& at, bool begins) {
-  if (const auto point = point_at(at)) Q_EMIT stroke_taken(point->position(), begins);
+  if (const auto there = point_at(at, true)) Q_EMIT stroke_taken(there->point.position(), begins);
 }
 
 SceneOutline SceneView::outline_drawn() {
@@ -180,7 +193,7 @@ bool SceneView::event(QEvent* event) {
       cursor_px_.reset();
       path_px_.push_back(to_pixels(press->pos()));
     }
-    stroking_ = left && takes_ == Takes::strokes && point_at(press->pos());
+    stroking_ = left && takes_ == Takes::strokes && point_at(press->pos(), true);
   }
   const bool mouse =
       type == QEvent::MouseButtonPress || type == QEvent::MouseMove || type == QEvent::MouseButtonRelease;
@@ -200,8 +213,8 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || place_taker_ != nullptr) return;
   double_clicked_ = true;
   Eigen::Vector3d place;
-  if (const auto point = point_at(event->pos()))
-    place = point->position() - origin_;
+  if (const auto there = point_at(event->pos()))
+    place = there->point.position() - origin_;
   else if (const auto stem = render::pick_stem(pick_view(), shapes_, to_pixels(event->pos()), 0))
     place = stem_place_of(stem->tree_id) - origin_;
   else

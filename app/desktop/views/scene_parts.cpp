@@ -77,8 +77,8 @@ render::ClipBox SceneView::everything() const {
 }
 
 int SceneView::actor_count() {
-  return renderer_->GetActors()->GetNumberOfItems() - static_cast<int>(layer_.actors()) - (marked_ ? 1 : 0) +
-         (survey_.points && !survey_.points->empty() ? 1 : 0);
+  return renderer_->GetActors()->GetNumberOfItems() - static_cast<int>(layer_.actors() + clouds_.actors()) -
+         (marked_ ? 1 : 0) + (survey_.points && !survey_.points->empty() ? 1 : 0);
 }
 
 void SceneView::mark_points(const std::vector<std::uint32_t>& points) {
@@ -117,6 +117,9 @@ void SceneView::rebuild() {
     layer_.set_filter(settings_.filter);
     show_points();
   }
+  ground_.reset();
+  clouds_.draw_about(has_survey() ? std::optional(origin_) : std::nullopt);
+  dress_clouds();
   // Plants of rows have places only.
   if (survey_.stems && survey_.stems->rows() > 0 && survey_.stems->has("dbh_cm") && survey_.stems->has("z_m")) {
     shapes_ = render::stem_shapes(*survey_.stems, survey_.sections.get());
@@ -152,6 +155,24 @@ void SceneView::show_picture(std::size_t view, const ColorImage& picture) {
 void SceneView::draw_cameras() {
   const double extent_m = extent_known_ ? (whole_.hi - whole_.lo).norm() : 0;
   cameras_.draw(origin_, extent_m, selection_.view(), look_.dark, devicePixelRatioF());
+}
+
+// The look of the survey goes for the clouds beside it, as far as they can have it.
+void SceneView::dress_clouds() {
+  auto filter = settings_.filter;
+  if (!filter.everything() && !clouds().empty()) {
+    if (!ground_ && survey_.points) ground_ = std::make_shared<const render::GroundBelow>(*survey_.points);
+    if (ground_ && !ground_->empty()) filter.ground = ground_;
+  }
+  clouds_.dress(filter, settings_.clip, settings_.point_size_px, layer_.paint());
+}
+
+void SceneView::set_clouds(std::vector<SceneCloud> clouds) {
+  clouds_.set(std::move(clouds));
+  dress_clouds();
+  begin_motion();
+  redraw();
+  Q_EMIT clouds_changed();
 }
 
 // The cloud and the cameras about it.

@@ -52,9 +52,10 @@ QImage SceneView::picture(int width_px, bool transparent) {
   moving_ = false;
   if (transparent) renderer_->SetBackgroundAlpha(0);
   layer_.set_point_size(settings_.point_size_px * scale);
+  clouds_.set_point_size(settings_.point_size_px, scale);
   window->SetSize(width_px, height_px);
   for (int frame = 0; frame == 0 || (!complete_ && frame < max_frames); ++frame) window->Render();
-  for (int wait = 0; (layer_.awaited() > 0 || !complete_) && wait < max_waits; ++wait) {
+  for (int wait = 0; (awaited() > 0 || !complete_) && wait < max_waits; ++wait) {
     QThread::msleep(wait_ms);
     window->Render();
   }
@@ -62,6 +63,7 @@ QImage SceneView::picture(int width_px, bool transparent) {
   if (!transparent) picture = picture.convertToFormat(QImage::Format_RGB888);
   renderer_->SetBackgroundAlpha(alpha);
   layer_.set_point_size(settings_.point_size_px);
+  clouds_.set_point_size(settings_.point_size_px);
   window->SetSize(before[0], before[1]);
   redraw();
   return picture;

@@ -21,7 +21,7 @@ constexpr double target_s = 0.042;  // of a frame while the camera moves, until 
 }  // namespace
 
 SceneView::SceneView(Selection& selection, QWidget* parent)
-    : QVTKOpenGLNativeWidget(parent), selection_(selection), cameras_(renderer_), pace_(target_s) {
+    : QVTKOpenGLNativeWidget(parent), selection_(selection), clouds_(renderer_), cameras_(renderer_), pace_(target_s) {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
   window->SetNumberOfLayers(2);
@@ -38,6 +38,7 @@ SceneView::SceneView(Selection& selection, QWidget* parent)
   clip_handles_ = std::make_unique<ClipHandles>(interactor(), renderer_, [this](const render::ClipBox& box) {
     settings_.clip = box;
     layer_.set_clip(box);
+    clouds_.set_clip(box);
     clip_stems();
     begin_motion();
     Q_EMIT settings_changed();
@@ -49,6 +50,11 @@ SceneView::SceneView(Selection& selection, QWidget* parent)
     redraw();
   });
   connect(this, &QOpenGLWidget::frameSwapped, this, &SceneView::frame_shown);
+  connect(&clouds_, &CloudLayers::arrived, this, &SceneView::take_arrivals);
+  connect(&clouds_, &CloudLayers::index_built, this, [this] {
+    redraw();
+    Q_EMIT clouds_changed();
+  });
   connect(&selection_, &Selection::changed, this, [this] {
     draw_highlight();
     redraw();
@@ -149,6 +155,7 @@ void SceneView::set_settings(const ViewSettings& settings) {
   layer_.set_clip(settings_.clip);
   clip_stems();
   layer_.set_point_size(settings_.point_size_px);
+  dress_clouds();
   if (clip_handles_->shown()) show_clip_handles(settings_.clip.has_value());
   if (before.grid != settings_.grid) rebuild_grid();
   redraw();

@@ -23,6 +23,7 @@
 #include "render/scene/pick.h"
 #include "render/scene/point_layer.h"
 #include "views/camera_layer.h"
+#include "views/clouds/cloud_layers.h"
 #include "views/frame_pace.h"
 #include "views/scene_drawing.h"
 #include "views/scene_outline.h"
@@ -76,7 +77,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   bool flat() const;
   void zoom_to_tree(std::int64_t id);
   void zoom_to(const Eigen::Vector3d& place);
-  Eigen::Vector3d centre() const;  // of rotation, world coordinates
+  void zoom_to(const render::ClipBox& box);  // all of it, from where the camera looks
+  Eigen::Vector3d centre() const;            // of rotation, world coordinates
 
   // The point under a place of the widget; selects its tree, or the stem there.
   void pick(const QPoint& at);
@@ -90,9 +92,10 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void set_place_taker(const QObject* taker, Takes takes = Takes::places);
   const QObject* place_taker() const { return place_taker_; }
   // Gives the place of a point to all who listen.
-  void give_place(const render::PickedPoint& point);
-  // The cloud of the point that was given last: that of the survey, or a part of a cloud on disk.
+  void give_place(const render::PickedPoint& point, bool of_survey = true);
+  // The cloud of the point that was given last: that of the survey, a part of a cloud on disk, or one beside it.
   const std::shared_ptr<const PointCloud>& taken_cloud() const { return taken_cloud_; }
+  bool taken_from_survey() const { return taken_from_survey_; }
   void drop_outline();
   // Points of the survey that stand out until others do, or another survey is shown. At most 300 000 are drawn.
   void mark_points(const std::vector<std::uint32_t>& points);
@@ -110,6 +113,11 @@ class SceneView : public QVTKOpenGLNativeWidget {
   const std::vector<render::CameraShape>& cameras() const { return cameras_.shapes(); }
   void show_picture(std::size_t view, const ColorImage& picture);  // in the camera of that view while it is selected
 
+  // Clouds to look at beside the survey, of which no stage knows: they are drawn, clipped, picked and cut as it is.
+  void set_clouds(std::vector<SceneCloud> clouds);
+  const std::vector<SceneCloud>& clouds() const { return clouds_.clouds(); }
+  const CloudLayers& cloud_layers() const { return clouds_; }
+
   std::optional<SceneEye> eye();  // none of a parallel view
   // A picture of what is seen from the eye, over the points until the eye moves.
   void show_rendering(const ColorImage& picture);
@@ -124,7 +132,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
 
   int actor_count();  // of things that are shown, the cloud as one
   std::size_t drawn_points() const { return layer_.drawn(); }
-  bool refined() const { return complete_ && !moving_ && layer_.awaited() == 0; }
+  bool refined() const { return complete_ && !moving_ && awaited() == 0; }
   // One frame as it is drawn while the camera moves; seconds. For the frame-rate test and benchmark.
   double draw_moving_frame();
   double frame_target_s() const;
@@ -142,7 +150,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void menu_asked(const QPoint& global);  // by a right click
   void settings_changed();                // by the view: handles of the clip box, another survey
   void index_built();
-  void eye_moved();  // or the size of the view changed; after the frame that showed it
+  void clouds_changed();  // those beside the survey
+  void eye_moved();       // or the size of the view changed; after the frame that showed it
 
  protected:
   bool event(QEvent* event) override;
@@ -158,6 +167,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void follow_index();
   void show_points();
   void take_arrivals();
+  std::size_t awaited() const { return layer_.awaited() + clouds_.awaited(); }
+  void dress_clouds();
   void rebuild();
   void repaint_points();
   void take_trees();
@@ -179,7 +190,11 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::vector<double> sorted_sample(int axis) const;
   render::PickView pick_view();
   Eigen::Vector2d to_pixels(const QPoint& at) const;
-  std::optional<render::PickedPoint> point_at(const QPoint& at);
+  struct PointThere {
+    render::PickedPoint point;
+    const SceneCloud* beside = nullptr;  // null: of the survey
+  };
+  std::optional<PointThere> point_at(const QPoint& at, bool of_survey_only = false);
   std::optional<Grip> grip_at(const QPoint& at);
   bool click_drawing(const QPoint& at);
   bool behind_a_stem(const Eigen::Vector3d& point, const QPoint& at);
@@ -208,6 +223,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   render::ScreenLook look_;
   render::PointLayer layer_;
   vtkNew<vtkRenderer> renderer_;
+  CloudLayers clouds_;                                 // beside the survey
+  std::shared_ptr<const render::GroundBelow> ground_;  // of the survey, for their heights; made when it is needed
   vtkSmartPointer<MapStyle> style_;
   render::FurnitureLayer furniture_;
   std::vector<vtkSmartPointer<vtkActor>> actors_;
@@ -222,6 +239,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::map<std::string, std::vector<SceneDrawing>> drawings_;
   std::optional<render::PickedPoint> picked_;
   std::shared_ptr<const PointCloud> taken_cloud_;
+  bool taken_from_survey_ = true;
   QStringList facts_;
 
   static constexpr int rest_ms = 150;  // without a movement, until all points are drawn

@@ -72,7 +72,7 @@ std::optional<std::uint32_t> SectionView::point_at(const QPointF& px) const {
   for (std::size_t k = 0; k < section_->indices.size(); ++k)
     if (const double d = (section_->drawn.points[k] - at).norm(); d <= best) {
       best = d;
-      found = section_->indices[k];
+      found = static_cast<std::uint32_t>(k);
     }
   return found;
 }

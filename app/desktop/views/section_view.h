@@ -27,7 +27,7 @@ class SectionView : public QWidget {
   QSize sizeHint() const override { return {500, 240}; }
 
  Q_SIGNALS:
-  // The point there, an index in the cloud, and the tree whose outline is there; 0: none.
+  // Which of the points that are drawn is there, and the tree whose outline is there; 0: none.
   void clicked(const std::optional<std::uint32_t>& point, std::int64_t stem);
 
  protected:
@@ -42,7 +42,7 @@ class SectionView : public QWidget {
  private:
   render::Frame frame() const;
   Eigen::Vector2d place_at(const QPointF& px) const;
-  std::optional<std::uint32_t> point_at(const QPointF& px) const;
+  std::optional<std::uint32_t> point_at(const QPointF& px) const;  // of those that are drawn
   std::int64_t stem_at(const QPointF& px) const;
 
   std::optional<CrossSection> section_;

@@ -77,6 +77,7 @@ class Workbench : public QMainWindow {
  Q_SIGNALS:
   void document_opened();
   void document_saved();
+  void cloud_dropped(const QString& path);  // with Shift: to be looked at beside the survey
   void preview_shown();
   void run_started();
   void survey_shown(const Survey& survey);  // an empty one after a document was opened

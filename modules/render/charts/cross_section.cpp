@@ -127,6 +127,7 @@ Figure cross_section(const CrossSectionData& data, const SectionSight& sight, do
       draw_terrain(canvas, data, frame);
       draw_section_stems(canvas, data, frame);
       draw_marks(canvas, data, frame);
+      draw_cloud_keys(canvas, {frame.box.x1 - 1.5, frame.box.y0 + 1.5}, data.clouds);
     }
     draw_axes(canvas, frame, axes);
   };

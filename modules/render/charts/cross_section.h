@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/draw/axes.h"
+#include "render/draw/cloud_key.h"
 #include "render/draw/figure.h"
 
 namespace bole::render {
@@ -31,8 +32,9 @@ struct CrossSectionData {
   std::vector<std::vector<Eigen::Vector2d>> terrain;  // pieces; broken where nothing is known of it
   std::vector<SectionStem> stems;
   std::vector<SectionMark> marks;
-  std::int64_t selected = 0;  // tree
-  double length_m = 0;        // of the line
+  std::vector<CloudKey> clouds;  // of which the points are, where there are several
+  std::int64_t selected = 0;     // tree
+  double length_m = 0;           // of the line
 };
 
 // What of it is shown: the middle of the picture and its scale.

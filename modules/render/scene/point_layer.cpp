@@ -96,7 +96,10 @@ PointLayer::Tile PointLayer::make_tile(PointSet all) const {
                               ? std::get_if<std::vector<float>>(&cloud.column(arrays::height_above_ground.name))
                               : nullptr;
     std::erase_if(tile.indices, [&](std::uint32_t i) {
-      const double height = heights != nullptr ? static_cast<double>((*heights)[i]) : cloud.position(i).z();
+      const Eigen::Vector3d p = cloud.position(i);
+      const double height = heights != nullptr ? static_cast<double>((*heights)[i])
+                            : filter_.ground   ? p.z() - filter_.ground->z_at(p.head<2>())
+                                               : p.z();
       return !(height >= filter_.height.lo && height <= filter_.height.hi);
     });
   }

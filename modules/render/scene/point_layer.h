@@ -11,6 +11,7 @@
 #include <optional>
 #include <unordered_map>
 
+#include "render/beside/ground_below.h"
 #include "render/scene/point_octree.h"
 #include "render/scene/point_paint.h"
 
@@ -18,7 +19,8 @@ namespace bole::render {
 
 // What is left out of the drawing.
 struct PointFilter {
-  Interval height{-1e9, 1e9};  // above ground where known, else z
+  Interval height{-1e9, 1e9};                 // above ground where known, else z
+  std::shared_ptr<const GroundBelow> ground;  // of clouds without heights: what theirs are above; null: z counts
   bool everything() const { return height.lo <= -1e9 && height.hi >= 1e9; }
 };
 

@@ -139,7 +139,7 @@ void paint_points(const PointCloud& cloud, std::span<const std::uint32_t> indice
       return;
     }
     case PointPaint::Kind::plain:
-      for (std::size_t k = 0; k < indices.size(); ++k) put(ground_grey, rgb + 3 * k);
+      for (std::size_t k = 0; k < indices.size(); ++k) put(paint.color, rgb + 3 * k);
   }
 }
 

@@ -24,6 +24,7 @@ struct PointPaint {
   const ColorMap* map = nullptr;  // of Kind::map
   bool quiet_ground = false;      // heights above ground: the ground itself is grey
   std::string title;              // of the legend, with the unit
+  Color color = hex(0xb9b1a4);    // of Kind::plain
 };
 
 // What a cloud can be coloured by, in the order of the vocabulary: heights first, "photo" where it has red, green and

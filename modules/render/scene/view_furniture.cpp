@@ -12,6 +12,7 @@ namespace bole::render {
 namespace {
 
 constexpr double margin_mm = 4, halo_mm = 0.45, bar_mm = 40, scale_bar_mm = 9;
+constexpr double north_side_mm = 22;
 constexpr double note_pt = 7.5, note_line_mm = 4, label_pt = 7.5;
 
 // Enough for a text of a sans serif face; what is too much stays transparent.
@@ -69,7 +70,7 @@ FurniturePatch scale_bar(const ViewFurniture& f) {
 
 FurniturePatch north_arrow(const ViewFurniture& f) {
   const double north_deg = std::round(degrees(f.north_rad));
-  constexpr double side = 22;
+  constexpr double side = north_side_mm;
   return patch(fmt::format("north {}", north_deg),
                {f.width_mm - margin_mm - side, margin_mm, f.width_mm - margin_mm, margin_mm + side},
                [north_deg](Canvas& canvas) {
@@ -96,6 +97,19 @@ FurniturePatch notes(const ViewFurniture& f) {
           canvas.text({2.5, 1.7 + note_line_mm * static_cast<double>(i)}, lines[i],
                       style.aligned(HAlign::left, VAlign::top));
       });
+}
+
+FurniturePatch cloud_keys(const ViewFurniture& f) {
+  std::string state = "clouds";
+  for (const auto& key : f.clouds)
+    state +=
+        fmt::format(" {} {}", key.name,
+                    key.color ? fmt::format("{:.3f} {:.3f} {:.3f}", key.color->r, key.color->g, key.color->b) : "");
+  const double width = cloud_keys_width_mm(f.clouds) + 1, height = cloud_keys_height_mm(f.clouds) + 1;
+  const double right = f.width_mm - margin_mm, top = margin_mm + (f.north ? north_side_mm : 0);
+  return patch(std::move(state), {right - width, top, right + 0.5, top + height}, [keys = f.clouds](Canvas& canvas) {
+    draw_cloud_keys(canvas, {canvas.width_mm() - 0.5, 0.5}, keys);
+  });
 }
 
 // `which` keeps two that look alike apart.
@@ -146,6 +160,7 @@ std::vector<FurniturePatch> furniture_patches(const ViewFurniture& f) {
   if (f.mm_per_metre > 0 && std::isfinite(f.mm_per_metre)) patches.push_back(scale_bar(f));
   if (f.north) patches.push_back(north_arrow(f));
   if (!f.notes.empty()) patches.push_back(notes(f));
+  if (!f.clouds.empty()) patches.push_back(cloud_keys(f));
   for (const auto& tree : f.trees) patches.push_back(tree_patch(tree));
   if (f.tree_legend && tree_legend_height_mm(f.trees) > 0) patches.push_back(tree_legend(f));
   for (std::size_t i = 0; i < f.marks_mm.size(); ++i) patches.push_back(mark(f.marks_mm[i], i));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "render/draw/cloud_key.h"
 #include "render/draw/figure.h"
 #include "render/scene/point_paint.h"
 #include "render/scene/tree_marks.h"
@@ -21,6 +22,7 @@ struct ViewFurniture {
   bool north = true;                // an arrow, where y points north
   double north_rad = 0;             // where north points on the screen, counter-clockwise from up
   std::vector<std::string> notes;   // lines in the upper left corner
+  std::vector<CloudKey> clouds;     // beside the survey; below the north arrow
 
   struct Label {
     Eigen::Vector2d at_mm;

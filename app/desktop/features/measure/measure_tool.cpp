@@ -168,14 +168,23 @@ void MeasureTool::finish() {
   bench_.docks().raise("measurements");
 }
 
-// The clicked places are as good as a hand; the points of a thin layer around them know the bark better.
+// The clicked places are as good as a hand; the points of a thin layer around them know the bark better: those of the
+// cloud that was clicked, which may lie beside the survey.
 void MeasureTool::fit_ring(render::Measurement& ring) const {
-  const auto& survey = bench_.scene().survey();
+  const auto& scene = bench_.scene();
+  auto cloud_there = scene.survey().points;
+  auto index = scene.survey().index;
+  if (!scene.taken_from_survey()) {
+    const auto beside = std::ranges::find(scene.clouds(), scene.taken_cloud(), &SceneCloud::points);
+    if (beside == scene.clouds().end()) return;  // a part of a cloud on disk
+    cloud_there = beside->points;
+    index = beside->index;
+  }
   const auto drawn = render::ring_through(ring.points);
-  if (!survey.points || !survey.index || !drawn) return;
+  if (!cloud_there || !index || !drawn) return;
   const double reach = 1.3 * drawn->radius_m + start_error_m;
   const Eigen::Vector3d centre(drawn->centre.x(), drawn->centre.y(), drawn->z_m), half(reach, reach, slice_half_m);
-  const auto [points, found_there] = survey.index->points_at_once(survey.points, centre - half, centre + half);
+  const auto [points, found_there] = index->points_at_once(cloud_there, centre - half, centre + half);
   const auto& cloud = *points;
   auto found = found_there;
   std::ranges::sort(found);

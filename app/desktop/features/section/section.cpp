@@ -40,6 +40,7 @@ SectionTool::SectionTool(Workbench& bench)
   });
   connect(&scene, &SceneView::settings_changed, this, &SectionTool::cut_soon);
   connect(&scene, &SceneView::index_built, this, &SectionTool::cut_soon);
+  connect(&scene, &SceneView::clouds_changed, this, &SectionTool::cut_soon);
   connect(&scene, &SceneView::drawings_changed, this, [this](const QString& layer) {
     if (layer.toStdString() == measured_layer) draw_measurements();
   });
@@ -189,12 +190,25 @@ void SectionTool::cut(bool keep_sight) {
   view_->set_point_size(bench_.scene().settings().point_size_px);
   if (!survey_.points) survey_ = bench_.scene().survey();
   show_cut(survey_, keep_sight);
-  if (survey_.index && survey_.index->disk()) ask_disk();
+  if ((survey_.index && survey_.index->disk()) || !beside_on_disk().empty()) ask_disk();
 }
 
-void SectionTool::show_cut(const Survey& of, bool keep_sight) {
+std::vector<SceneCloud> SectionTool::beside_on_disk() const {
+  std::vector<SceneCloud> found;
+  for (const auto& cloud : bench_.scene().clouds())
+    if (cloud.disk()) found.push_back(cloud);
+  return found;
+}
+
+void SectionTool::show_cut(const Survey& of, bool keep_sight, const Slab& slab) {
+  auto& scene = bench_.scene();
   cut_ = of;
-  view_->show_section(cut_through(cut_, *line_, bench_.scene().paint(), bench_.scene().stem_shapes()), keep_sight);
+  beside_.clear();
+  for (const auto& cloud : scene.clouds()) {
+    beside_.push_back(section_cloud(cloud, scene.paint()));
+    if (const auto read = slab.beside.find(cloud.id); read != slab.beside.end()) beside_.back().points = read->second;
+  }
+  view_->show_section(cut_through(cut_, *line_, scene.paint(), scene.stem_shapes(), beside_), keep_sight);
   view_->select(bench_.selection().tree().value_or(0));
   draw_in_scene();
   draw_measurements();
@@ -207,7 +221,7 @@ void SectionTool::ask_disk() {
     slabs_.start([this](const std::stop_token& stop, const auto& answer) {
       while (const auto wish = slabs_.next(stop)) read_slab(*wish, stop, answer);
     });
-  slabs_.ask({survey_.index->disk(), *line_});
+  slabs_.ask({survey_.index ? survey_.index->disk() : nullptr, *line_, beside_on_disk()});
 }
 
 // In a thread of its own.
@@ -216,35 +230,53 @@ void SectionTool::read_slab(const SlabWish& wish, const std::stop_token& stop,
   try {
     Run run;
     run.cancel = stop;
-    answer([this, points = slab_from_disk(*wish.disk, wish.line, run), wish] { take_slab(wish, points); });
+    Slab slab;
+    if (wish.disk) slab.survey = slab_from_disk(*wish.disk, wish.line, run);
+    for (const auto& cloud : wish.beside) {
+      const SectionLine own{cloud.place.back(wish.line.from), cloud.place.back(wish.line.to), wish.line.width_m};
+      slab.beside[cloud.id] = std::make_shared<const PointCloud>(
+          render::placed_cloud(*slab_from_disk(*cloud.disk(), own, run), cloud.place));
+    }
+    answer([this, slab = std::move(slab), wish] { take_slab(wish, slab); });
   } catch (const std::exception& e) {
     if (!stop.stop_requested()) answer([this, text = QString::fromUtf8(e.what())] { bench_.say(text); });
   }
 }
 
-void SectionTool::take_slab(const SlabWish& wish, const std::shared_ptr<const PointCloud>& points) {
+// Of another line, or of clouds that lie elsewhere by now, it is dropped.
+void SectionTool::take_slab(const SlabWish& wish, const Slab& slab) {
   const auto& line = wish.line;
+  const auto same = [](const SceneCloud& a, const SceneCloud& b) {
+    return a.id == b.id && a.index == b.index && a.place == b.place;
+  };
   const bool current = line_ && line_->from == line.from && line_->to == line.to && line_->width_m == line.width_m &&
-                       survey_.index && survey_.index->disk() == wish.disk;
+                       (survey_.index ? survey_.index->disk() : nullptr) == wish.disk &&
+                       std::ranges::equal(beside_on_disk(), wish.beside, same);
   if (!current) return;
   Survey read = survey_;
-  read.points = points;
-  read.index.reset();
-  show_cut(read, true);
+  if (slab.survey) {
+    read.points = slab.survey;
+    read.index.reset();
+  }
+  show_cut(read, true, slab);
 }
 
 // Whoever takes places gets this one; else its tree is selected.
 void SectionTool::click(const std::optional<std::uint32_t>& point, std::int64_t stem) {
   auto& scene = bench_.scene();
-  const bool known = point && cut_.points && *point < cut_.points->size();
+  const auto& section = view_->section();
+  const bool seen = point && section && *point < section->indices.size();
+  const std::uint32_t owner = seen ? section->owners[*point] : 0, index = seen ? section->indices[*point] : 0;
+  const auto& cloud = owner == 0 ? cut_.points : beside_[owner - 1].points;
+  const bool known = seen && cloud && index < cloud->size();
   if (scene.place_taker() != nullptr) {
-    if (!known || scene.survey().points != survey_.points)
+    if (!known || (owner == 0 && scene.survey().points != survey_.points))
       return bench_.say(tr("There is no point here. Click one that is drawn."));
-    return scene.give_place({cut_.points, *point});
+    return scene.give_place({cloud, index}, owner == 0);
   }
   std::int64_t tree = stem;
-  if (known && cut_.points->has(arrays::tree_id))
-    if (const auto of_point = cut_.points->values<std::int32_t>(arrays::tree_id)[*point]; of_point > 0) tree = of_point;
+  if (known && owner == 0 && cloud->has(arrays::tree_id))
+    if (const auto of_point = cloud->values<std::int32_t>(arrays::tree_id)[index]; of_point > 0) tree = of_point;
   if (tree > 0 && survey_.row_of(tree)) bench_.selection().select(tree);
 }
 

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <QObject>
+#include <map>
 #include <optional>
 #include <vector>
 
 #include "document/cross_section.h"
 #include "running/last_wish.h"
+#include "views/clouds/scene_cloud.h"
 
 class QDockWidget;
 class QDoubleSpinBox;
@@ -46,14 +48,20 @@ class SectionTool : public QObject {
   void put(const SectionLine& line, bool keep_sight);
   void cut(bool keep_sight);
   void cut_soon();
-  void show_cut(const Survey& of, bool keep_sight);
   struct SlabWish {
-    std::shared_ptr<const DiskPoints> disk;
+    std::shared_ptr<const DiskPoints> disk;  // of the survey; null where its points are in memory
     SectionLine line;
+    std::vector<SceneCloud> beside;  // that lie on the disk
   };
+  struct Slab {
+    std::shared_ptr<const PointCloud> survey;                 // null where its points are in memory
+    std::map<int, std::shared_ptr<const PointCloud>> beside;  // by the id of the cloud
+  };
+  void show_cut(const Survey& of, bool keep_sight, const Slab& slab = {});
   void ask_disk();
   void read_slab(const SlabWish& wish, const std::stop_token& stop, const LastWish<SlabWish>::Answer& answer);
-  void take_slab(const SlabWish& wish, const std::shared_ptr<const PointCloud>& points);
+  void take_slab(const SlabWish& wish, const Slab& slab);
+  std::vector<SceneCloud> beside_on_disk() const;
   void click(const std::optional<std::uint32_t>& point, std::int64_t stem);
   void draw_in_scene();
   void draw_measurements();
@@ -68,6 +76,7 @@ class SectionTool : public QObject {
   QTimer* soon_;
   Survey survey_;  // what cuts show of it
   Survey cut_;     // of which the points that are shown are: read from the disk where the survey lies there
+  std::vector<SectionCloud> beside_;  // likewise
   LastWish<SlabWish> slabs_{this};
   bool reads_disk_ = false;
   std::optional<SectionLine> line_;

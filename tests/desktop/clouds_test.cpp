@@ -1,0 +1,668 @@
+// Other clouds beside the survey: added, shown, moved, cut, measured, kept with the document; never computed with.
+#include <QDoubleSpinBox>
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFile>
+#include <QLabel>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTreeWidget>
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "answer.h"
+#include "base/angles.h"
+#include "cloud/core/global_frame.h"
+#include "document/disk_memory.h"
+#include "features/clouds/cloud_distance.h"
+#include "features/clouds/cloud_file.h"
+#include "features/clouds/cloud_panel.h"
+#include "features/clouds/clouds.h"
+#include "features/measure/measure_tool.h"
+#include "features/section/section.h"
+#include "geo/core/projected_crs.h"
+#include "io/core/clouds/cloud_writer.h"
+#include "look/language.h"
+#include "look/pixels.h"
+#include "look/theme.h"
+#include "sample_window.h"
+#include "shell/main_window.h"
+#include "shell/modes.h"
+#include "small_plot.h"
+#include "test_application.h"
+#include "views/scene_view.h"
+#include "views/section_view.h"
+
+namespace bole::desktop {
+namespace {
+
+const Eigen::Vector3d utm(563000, 5412000, 300);
+
+// The plot of write_cloud() as it was before: its stems as far beside themselves as `shift` says, half as dense.
+PointCloud earlier_plot(const Eigen::Vector3d& shift, const Eigen::Vector3d& origin = Eigen::Vector3d::Zero()) {
+  PointCloud::Positions p;
+  std::vector<float> intensity;
+  const Eigen::Vector3f by = shift.cast<float>();
+  for (int i = 0; i < 60; ++i)
+    for (int j = 0; j < 60; ++j) p.push_back(Eigen::Vector3f(0.16F * float(i), 0.16F * float(j), 0) + by);
+  for (int tree = 0; tree < 9; ++tree)
+    for (int layer = 0; layer < 120; ++layer)
+      for (int k = 0; k < 20; ++k) {
+        const float angle = 6.2831853F * (float(k) + 0.37F * float(layer)) / 20;
+        p.push_back(Eigen::Vector3f(1.5F + 3 * float(tree % 3) + 0.08F * std::cos(angle),
+                                    1.5F + 3 * float(tree / 3) + 0.08F * std::sin(angle), 0.03F * float(layer)) +
+                    by);
+      }
+  for (std::size_t i = 0; i < p.size(); ++i) intensity.push_back(float(i % 100));
+  PointCloud cloud(std::move(p), origin);
+  cloud.set_column(arrays::intensity, std::move(intensity));
+  return cloud;
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double v : values) sum += v;
+  return sum / double(values.size());
+}
+
+}  // namespace
+
+class CloudsTest : public QObject {
+  Q_OBJECT
+
+ private Q_SLOTS:
+  void initTestCase() {
+    QSettings().clear();
+    write_cloud(at("cloud.xyz").toStdString());
+    write_pipeline(at("plot.json").toStdString());
+    io::write_cloud(at("earlier.ply").toStdString(), earlier_plot({0.3, 0, 0}));
+    io::write_cloud(at("beside.ply").toStdString(), earlier_plot({20, 0, 0}));
+    auto far_away = earlier_plot({0, 0, 0}, utm);
+    far_away.scale = Eigen::Vector3d::Constant(0.001);
+    io::write_cloud(at("flown.laz").toStdString(), far_away);
+    std::ofstream(at("broken.laz").toStdString()) << "LASF but nothing else";
+    std::ofstream(at("empty.xyz").toStdString()) << "";
+  }
+
+  void init() {
+    QSettings().clear();
+    QFile::remove(at("plot.clouds.json"));
+    open_window();
+  }
+
+  void cleanup() {
+    window_->session().discard_recovery();
+    window_.reset();
+  }
+
+  void a_cloud_is_drawn_beside_the_survey_and_not_computed_with() {
+    const auto document = window_->session().document().to_json();
+    const auto survey = scene().survey().points;
+    const auto alone = scene().drawn_points();
+    const int actors = scene().actor_count();
+    const int id = add("earlier.ply");
+    QVERIFY(id > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 20000);
+    QCOMPARE(drawn(id), std::size_t{60 * 60 + 9 * 120 * 20});
+    QCOMPARE(scene().drawn_points(), alone);
+    QCOMPARE(scene().actor_count(), actors);
+    QCOMPARE(scene().survey().points, survey);
+    QCOMPARE(window_->session().document().to_json(), document);
+    QCOMPARE(clouds().find(id)->read->found, std::uint64_t{60 * 60 + 9 * 120 * 20});
+    QVERIFY(!clouds().is_far(id));
+
+    // The colour of its own is in the picture, its name in the key of the colours.
+    const auto orange = count_of(picture(), clouds().find(id)->color);
+    QVERIFY2(orange > 300, qPrintable(QString::number(orange)));
+    QCOMPARE(scene().cloud_layers().keys().front().name, std::string("earlier.ply"));
+    const int second = add("beside.ply");
+    QVERIFY(clouds().find(second)->color.r != clouds().find(id)->color.r);
+  }
+
+  void a_tick_hides_a_cloud() {
+    const int id = add("earlier.ply");
+    auto* list = window_->findChild<QTreeWidget*>("clouds");
+    QCOMPARE(list->topLevelItemCount(), 1);
+    QVERIFY(list->topLevelItem(0)->text(1).contains("25"));
+    const int steps = window_->session().undo_stack().count();
+    list->setFocus();
+    QTest::keyClick(list, Qt::Key_Space);
+    QVERIFY(!clouds().find(id)->visible);
+    QVERIFY(scene().clouds().empty() && scene().cloud_layers().keys().empty());
+    const QImage without = picture();
+    QCOMPARE(count_of(without, clouds().find(id)->color), 0);
+    window_->commands().trigger("clouds.show");
+    QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 20000);
+    QVERIFY(drawn(id) > 0);
+    QCOMPARE(window_->session().undo_stack().count(), steps);  // a look, no edit
+  }
+
+  void a_cloud_is_moved_turned_and_put_back() {
+    const int id = add("earlier.ply");
+    const auto own = clouds().find(id)->read->points;
+    const Eigen::Vector3d before = scene().clouds().front().points->position(7);
+    box("cloud_x")->setValue(2);
+    box("cloud_z")->setValue(0.25);
+    QVERIFY((scene().clouds().front().points->position(7) - before - Eigen::Vector3d(2, 0, 0.25)).norm() < 1e-5);
+    QCOMPARE(scene().clouds().front().points->shared_positions(), own->shared_positions());
+    box("cloud_turn")->setValue(90);
+    const auto pivot = *clouds().find(id)->pivot_m;
+    const Eigen::Vector2d was = own->position(7).head<2>() - pivot;
+    const Eigen::Vector3d is = scene().clouds().front().points->position(7);
+    QVERIFY((is.head<2>() - pivot - Eigen::Vector2d(2 - was.y(), was.x())).norm() < 1e-4);
+    QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 20000);
+    QCOMPARE(drawn(id), own->size());
+    // The boxes of one cloud go on with one another: one step.
+    window_->session().undo_stack().undo();
+    QVERIFY(clouds().find(id)->shift_m.isZero() && clouds().find(id)->turn_deg == 0);
+    QVERIFY((scene().clouds().front().points->position(7) - before).norm() < 1e-9);
+    QCOMPARE(box("cloud_turn")->value(), 0.0);
+    window_->session().undo_stack().redo();
+    QCOMPARE(clouds().find(id)->turn_deg, 90.0);
+    QCOMPARE(own->position(7).z() + 0.25, scene().clouds().front().points->position(7).z());
+  }
+
+  void the_clip_box_cuts_it_too() {
+    const int id = add("earlier.ply");
+    auto settings = scene().settings();
+    settings.clip = render::ClipBox{{0, 0, 1.2}, {4, 4, 1.4}};
+    scene().set_settings(settings);
+    QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 20000);
+    std::vector<render::PointSet> seen;
+    std::vector<const SceneCloud*> owners;
+    scene().cloud_layers().add_drawn(seen, owners);
+    std::size_t count = 0;
+    for (const auto& set : seen)
+      for (const auto i : set.indices) {
+        ++count;
+        QVERIFY(settings.clip->contains(set.cloud->position(i)));
+      }
+    QVERIFY(count > 100 && count < clouds().find(id)->read->found / 20);
+    QCOMPARE(owners.front()->id, id);
+  }
+
+  // Other clouds have no heights above ground: those above the ground of the survey count.
+  void heights_are_those_above_the_ground_of_the_survey() {
+    measure();
+    const int id = add("earlier.ply");
+    clouds().place(id, {0, 0, 0.5}, 0);
+    auto settings = scene().settings();
+    settings.filter.height = {1.0, 2.0};
+    scene().set_settings(settings);
+    QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 20000);
+    std::vector<render::PointSet> seen;
+    std::vector<const SceneCloud*> owners;
+    scene().cloud_layers().add_drawn(seen, owners);
+    QVERIFY(!seen.empty() && seen.front().indices.size() > 500);
+    for (const auto& set : seen)
+      for (const auto i : set.indices) {
+        const double z = set.cloud->position(i).z();
+        QVERIFY2(z > 0.95 && z < 2.08, qPrintable(QString::number(z)));
+      }
+    window_->commands().trigger("view.map");  // crowns of other clouds hide nothing there either
+    QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 20000);
+    QVERIFY(drawn(id) < clouds().find(id)->read->found);
+    window_->commands().trigger("view.map");
+  }
+
+  void a_distant_cloud_is_told_and_moved_only_when_asked() {
+    const int id = add("flown.laz");
+    QVERIFY(clouds().is_far(id));
+    QVERIFY(!clouds().is_drawn(id) && scene().clouds().empty());
+    QVERIFY2(window_->log().text().contains("flown.laz lies 5441 km"), qPrintable(window_->log().text()));
+    QVERIFY2(said().contains("5441 km"), qPrintable(said()));
+    QVERIFY(clouds().find(id)->shift_m.isZero());
+    QVERIFY(!window_->commands().action("clouds.zoom")->isEnabled());
+    auto* here = window_->findChild<QPushButton*>("cloud_help");
+    QVERIFY(here->isVisibleTo(here->parentWidget()));
+    here->click();
+    QVERIFY((clouds().find(id)->shift_m - Eigen::Vector3d(-563000, -5412000, -300)).norm() < 1.5);
+    QCOMPARE(std::fmod(clouds().find(id)->shift_m.x(), 1.0), 0.0);  // whole metres
+    QVERIFY(!clouds().is_far(id));
+    QVERIFY(!here->isVisibleTo(here->parentWidget()));
+    QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 20000);
+    QVERIFY(drawn(id) > 0);
+    window_->commands().trigger("clouds.zoom");
+    QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 20000);
+    window_->session().undo_stack().undo();
+    QVERIFY(clouds().is_far(id) && scene().clouds().empty());
+
+    // What lies beside it is told as well, and drawn.
+    const int near = add("beside.ply");
+    QVERIFY(!clouds().is_far(near));
+    clouds().place(near, {60, 0, 0}, 0);
+    QVERIFY(clouds().is_far(near) && clouds().is_drawn(near));
+    QVERIFY2(said().contains("71 m"), qPrintable(said()));
+  }
+
+  void a_survey_with_a_place_on_the_earth_moves_by_it() {
+    GlobalFrame frame;
+    frame.centre_local = {1, 2, 0.5};
+    frame.shift_global = utm;
+    frame.A_global_local = Eigen::AngleAxisd(radians(30.0), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    frame.crs_wkt = geo::ProjectedCrs("EPSG:25832").wkt();
+    frame.heights_known = true;
+    Table control;
+    set_facts(control.facts, frame);
+    Results results;
+    results["place"].set("control", std::make_shared<const Table>(std::move(control)));
+    auto read = std::make_shared<ReadCloud>();
+    auto cloud = earlier_plot({0, 0, 0}, utm);
+    cloud.crs_wkt = frame.crs_wkt;
+    read->points = std::make_shared<const PointCloud>(cloud);
+    read->index = std::make_shared<const PointIndex>(read->points);
+    read->extent = extent_but_strays(cloud);
+    CloudEntry entry;
+    entry.read = read;
+    entry.pivot_m = Eigen::Vector2d(utm.x() + 5, utm.y() + 5);
+    const render::ClipBox survey{{0, 0, 0}, {10, 10, 5}};
+    const auto move = move_onto(entry, survey, results);
+    QVERIFY(move.by_georeference);
+    entry.shift_m = move.shift_m;
+    entry.turn_deg = move.turn_deg;
+    for (std::size_t i = 0; i < cloud.size(); i += 101) {
+      const Eigen::Vector3d global = cloud.position(i);
+      QVERIFY((entry.place().of(global) - frame.to_local(global)).norm() < 1e-3);
+    }
+    // Of another system nothing is known: centre onto centre.
+    cloud.crs_wkt = geo::ProjectedCrs("EPSG:25833").wkt();
+    read->points = std::make_shared<const PointCloud>(cloud);
+    QVERIFY(!move_onto(entry, survey, results).by_georeference);
+  }
+
+  void a_cloud_is_removed_and_comes_back() {
+    const int first = add("earlier.ply"), second = add("beside.ply");
+    clouds().place(first, {1, 0, 0}, 0);
+    window_->findChild<CloudPanel*>()->select(first);
+    window_->commands().trigger("clouds.remove");
+    QCOMPARE(clouds().list().size(), std::size_t{1});
+    QCOMPARE(clouds().list().front().id, second);
+    QVERIFY(QFile::exists(at("earlier.ply")));
+    window_->session().undo_stack().undo();
+    QCOMPARE(clouds().list().front().id, first);
+    QCOMPARE(clouds().list().front().shift_m.x(), 1.0);
+    QVERIFY(clouds().find(first)->read && clouds().is_drawn(first));
+    for (int k = 0; k < 3; ++k) window_->session().undo_stack().undo();
+    QVERIFY(clouds().list().empty() && scene().clouds().empty());
+    QVERIFY(!QFile::exists(at("plot.clouds.json")));
+    for (int k = 0; k < 4; ++k) window_->session().undo_stack().redo();
+    QCOMPARE(clouds().list().size(), std::size_t{1});
+  }
+
+  void the_list_is_kept_with_the_document() {
+    const int id = add("earlier.ply"), hidden = add("beside.ply");
+    clouds().place(id, {0.5, -0.25, 0.125}, 12.5);
+    clouds().paint(id, render::hex(0x123456), "intensity", 4);
+    clouds().show(hidden, false);
+    QFile kept(at("plot.clouds.json"));
+    QVERIFY(kept.open(QIODevice::ReadOnly));
+    const auto json = kept.readAll();
+    QVERIFY2(json.contains("\"file\": \"earlier.ply\""), json.constData());  // from where the document lies
+    reopen();
+    QCOMPARE(clouds().list().size(), std::size_t{2});
+    QTRY_VERIFY_WITH_TIMEOUT(clouds().list()[0].read && clouds().list()[1].read, 20000);
+    const auto& entry = clouds().list().front();
+    QCOMPARE(entry.path, QFileInfo(at("earlier.ply")).absoluteFilePath());
+    QCOMPARE(entry.shift_m, Eigen::Vector3d(0.5, -0.25, 0.125));
+    QCOMPARE(entry.turn_deg, 12.5);
+    QCOMPARE(entry.color_by, std::string("intensity"));
+    QCOMPARE(entry.point_px, 4.0);
+    QVERIFY(std::abs(entry.color.r - 0x12 / 255.0) < 1e-3);
+    QVERIFY(!clouds().list()[1].visible);
+    QTRY_VERIFY_WITH_TIMEOUT(scene().refined() && drawn(entry.id) > 0, 20000);
+    QCOMPARE(scene().clouds().size(), std::size_t{1});
+    // Saved elsewhere, the list goes along.
+    window_->save(at("copy.json"));
+    QVERIFY(QFile::exists(at("copy.clouds.json")));
+    window_->open(at("plot.json"));
+    QCOMPARE(clouds().list().size(), std::size_t{2});
+  }
+
+  void a_missing_file_is_told_and_nothing_is_lost() {
+    io::write_cloud(at("gone.ply").toStdString(), earlier_plot({0.3, 0, 0}));
+    const int id = add("gone.ply");
+    clouds().place(id, {3, 0, 0}, 0);
+    QVERIFY(QFile::rename(at("gone.ply"), at("elsewhere.ply")));
+    reopen();
+    QTRY_VERIFY_WITH_TIMEOUT(!clouds().list().front().problem.isEmpty(), 20000);
+    QVERIFY2(window_->log().text().contains("gone.ply"), qPrintable(window_->log().text()));
+    QVERIFY(said().contains("gone.ply"));
+    QCOMPARE(clouds().list().front().shift_m.x(), 3.0);
+    clouds().show(clouds().list().front().id, true);  // the list is written again: it is still there
+    reopen();
+    QTRY_VERIFY_WITH_TIMEOUT(!clouds().list().empty() && !clouds().list().front().problem.isEmpty(), 20000);
+    clouds().read_again(clouds().list().front().id, at("elsewhere.ply"));
+    QTRY_VERIFY_WITH_TIMEOUT(clouds().list().front().read != nullptr, 20000);
+    QCOMPARE(clouds().list().front().shift_m.x(), 3.0);
+    QVERIFY(drawn(clouds().list().front().id) > 0 || clouds().is_drawn(clouds().list().front().id));
+  }
+
+  void a_list_that_cannot_be_read_is_not_written_over() {
+    const QByteArray damaged = R"({"clouds": [{"file": "earlier.ply", "shift_m": [1, 2]}]})";
+    QFile file(at("plot.clouds.json"));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(damaged) == damaged.size());
+    file.close();
+    reopen();
+    QVERIFY(clouds().list().empty());
+    QVERIFY(window_->log().text().contains("plot.clouds.json"));
+    add("earlier.ply");
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QCOMPARE(file.readAll(), damaged);
+    const QDir here(folder_.path());
+    for (const char* bad : {"", "[]", R"({"clouds": [{}]})", R"({"clouds": [{"file": "a", "turn_deg": "b"}]})",
+                            R"({"clouds": [{"file": "a", "shift_m": [1, 1e300, 0]}]})"})
+      QVERIFY_EXCEPTION_THROWN(parse_clouds(bad, here), Error);
+    QCOMPARE(parse_clouds(R"({"clouds": [{"file": "a.laz"}]})", here).front().path, here.filePath("a.laz"));
+  }
+
+  void a_bad_file_is_told() {
+    for (const auto& [name, word] : {std::pair{"broken.laz", "broken.laz"},
+                                     {"not_there.laz", "not_there.laz"},
+                                     {"empty.xyz", "empty.xyz"},
+                                     {"plot.json", "plot.json"}}) {
+      clouds().add(at(name));
+      QTRY_VERIFY_WITH_TIMEOUT(!clouds().reading(), 20000);
+      QVERIFY2(window_->log().text().contains(word), name);
+      QVERIFY(clouds().list().empty());
+    }
+    QVERIFY(!QFile::exists(at("plot.clouds.json")));
+    MainWindow without;
+    QVERIFY(!without.commands().action("clouds.add")->isEnabled());
+  }
+
+  void reading_can_be_cancelled() {
+    clouds().add(at("earlier.ply"));
+    clouds().add(at("beside.ply"));
+    QVERIFY(clouds().reading() && clouds().reading_text().contains("earlier.ply"));
+    clouds().cancel_reading();
+    QTRY_VERIFY_WITH_TIMEOUT(!clouds().reading(), 20000);
+    QVERIFY(clouds().list().size() <= 1);  // the first one may have been read by then
+    // What belongs to a document that was closed does not come into the next one.
+    clouds().add(at("earlier.ply"));
+    if (window_->session().changed()) answer(QMessageBox::Discard);
+    window_->open(at("plot.json"));
+    const auto before = clouds().list().size();
+    QTRY_VERIFY_WITH_TIMEOUT(!clouds().reading(), 20000);
+    QCOMPARE(clouds().list().size(), before);
+  }
+
+  void a_section_shows_both_in_their_colours() {
+    const int id = add("earlier.ply");
+    auto* section = window_->findChild<SectionTool*>();
+    section->show({{0, 1.5}, {9, 1.5}, 0.5});
+    const auto& cut = section->view().section();
+    QTRY_VERIFY_WITH_TIMEOUT(cut && cut->points_of(1) > 500, 10000);
+    QVERIFY(cut->points_of(0) > 500);
+    QCOMPARE(cut->drawn.clouds.size(), std::size_t{1});
+    QCOMPARE(cut->drawn.points.size(), cut->indices.size());
+    std::vector<double> x_now, x_then;
+    for (std::size_t k = 0; k < cut->owners.size(); ++k) {
+      const auto& p = cut->drawn.points[k];
+      if (p.y() > 0.5 && p.x() < 3) (cut->owners[k] == 0 ? x_now : x_then).push_back(p.x());
+      if (cut->owners[k] == 1) {
+        const auto color = clouds().find(id)->color;
+        QCOMPARE(int(cut->drawn.rgb[3 * k]), int(std::lround(255 * color.r)));
+        QCOMPARE(int(cut->drawn.rgb[3 * k + 2]), int(std::lround(255 * color.b)));
+      }
+    }
+    QVERIFY(std::abs(mean(x_then) - mean(x_now) - 0.3) < 0.01);
+    // Moved it is cut where it lies, hidden it is not cut.
+    clouds().place(id, {-0.3, 0, 1}, 0);
+    QTRY_VERIFY_WITH_TIMEOUT(cut && section_mean_x(*cut, 1, 1.5) - 1.5 < 0.01, 10000);
+    double lowest = 1e9;
+    for (std::size_t k = 0; k < cut->owners.size(); ++k)
+      if (cut->owners[k] == 1) lowest = std::min(lowest, cut->drawn.points[k].y());
+    QVERIFY(std::abs(lowest - 1) < 1e-4);
+    clouds().show(id, false);
+    QTRY_VERIFY_WITH_TIMEOUT(cut && cut->points_of(1) == 0 && cut->drawn.clouds.empty(), 10000);
+  }
+
+  void a_distance_between_two_clouds_is_measured_by_clicks() {
+    const int id = add("earlier.ply");
+    clouds().place(id, {0, 0, 2}, 0);
+    auto* section = window_->findChild<SectionTool*>();
+    section->show({{0, 4.5}, {9, 4.5}, 0.4});
+    auto& view = section->view();
+    view.resize(900, 400);
+    QTRY_VERIFY_WITH_TIMEOUT(view.section() && view.section()->points_of(1) > 100, 10000);
+    QTest::qWait(50);
+    auto& measure = *window_->findChild<MeasureTool*>();
+    const auto steps = measure.list().size();
+    window_->commands().trigger("measure.distance");
+    const auto click = [&](std::uint32_t owner, double x) {
+      const auto& cut = *view.section();
+      Eigen::Vector2d best(1e9, 1e9);
+      for (std::size_t k = 0; k < cut.owners.size(); ++k)
+        if (cut.owners[k] == owner && std::abs(cut.drawn.points[k].x() - x) < 0.3 && cut.drawn.points[k].y() < best.y())
+          best = cut.drawn.points[k];
+      QTest::mouseClick(&view, Qt::LeftButton, {}, view.place_of(best).toPoint());
+    };
+    click(0, 3.0);
+    click(1, 3.0);
+    QCOMPARE(measure.list().size(), steps + 1);
+    const auto& ends = measure.list().back().points;
+    QVERIFY2(std::abs(ends[1].z() - ends[0].z() - 2) < 0.06, qPrintable(QString::number(ends[1].z() - ends[0].z())));
+
+    // In the 3-D view a point says of which cloud it is, and its tree numbers are not those of the survey.
+    scene().look_along(-Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY());
+    QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 20000);
+    QSignalSpy picked(&scene(), &SceneView::point_picked);
+    scene().pick(scene().place_of({6.7, 6.7, 2}));
+    QVERIFY(!picked.isEmpty());
+    QCOMPARE(picked.last().at(0).toStringList().front(), QString("earlier.ply"));
+    QVERIFY(!scene().picked());
+
+    // Three clicks on its bark are fitted to its points, not to those of the survey that stands beside it.
+    const Eigen::Vector3d stem(4.8, 4.5, 2 + 3.57);
+    const Eigen::Vector3d around(0.4, 0.4, 0.1);
+    scene().zoom_to(render::ClipBox{stem - around, stem + around});
+    QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 20000);
+    window_->commands().trigger("measure.ring");
+    for (const double angle : {0.3, 2.4, 4.5})
+      QTest::mouseClick(&scene(), Qt::LeftButton, {},
+                        scene().place_of(stem + 0.08 * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0)));
+    QCOMPARE(measure.list().size(), steps + 2);
+    const auto ring = render::ring_through(measure.list().back().points);
+    QVERIFY(ring);
+    QVERIFY2(std::abs(ring->radius_m - 0.08) < 0.004, qPrintable(QString::number(ring->radius_m)));
+    QVERIFY((ring->centre - stem.head<2>()).norm() < 0.004);
+    window_->commands().trigger("measure.end");
+  }
+
+  void numbers_that_colour_the_survey_too_have_its_scale() {
+    const int id = add("earlier.ply");
+    scene().color_by("z");
+    clouds().paint(id, clouds().find(id)->color, "z", 0);
+    const auto paint = paint_of(scene().clouds().front(), scene().paint());
+    QVERIFY(paint.range.lo == scene().paint().range.lo && paint.range.hi == scene().paint().range.hi);
+    QVERIFY(!scene().cloud_layers().keys().front().color);
+    clouds().paint(id, clouds().find(id)->color, "intensity", 5);
+    QCOMPARE(paint_of(scene().clouds().front(), scene().paint()).array, std::string("intensity"));
+    QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 20000);
+    QVERIFY(drawn(id) > 0);
+  }
+
+  void a_file_dropped_with_shift_is_looked_at() {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(at("earlier.ply"))});
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::ShiftModifier);
+    QApplication::sendEvent(window_.get(), &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::ShiftModifier);
+    QApplication::sendEvent(window_.get(), &drop);
+    QTRY_COMPARE_WITH_TIMEOUT(clouds().list().size(), std::size_t{1}, 20000);
+    QCOMPARE(QFileInfo(window_->session().path()).fileName(), QString("plot.json"));
+  }
+
+  void a_cloud_larger_than_memory_comes_from_the_disk() {
+    save_disk_memory_mib(16);
+    PointCloud::Positions p;
+    for (int i = 0; i < 900; ++i)
+      for (int j = 0; j < 900; ++j)
+        p.emplace_back(0.01F * float(i), 0.01F * float(j), 0.5F + 0.001F * float((i * 7 + j * 3) % 5));
+    PointCloud large(std::move(p), {1000, 2000, 100});
+    large.scale = Eigen::Vector3d::Constant(1e-3);
+    const std::vector<std::uint8_t> one(large.size(), 1);
+    large.set_column(arrays::return_number, one);
+    large.set_column(arrays::number_of_returns, one);
+    io::write_cloud(at("large.copc.laz").toStdString(), large);
+    const int id = add("large.copc.laz");
+    QVERIFY(clouds().find(id)->read->on_disk());
+    QVERIFY(said().contains("disk"));
+    window_->findChild<CloudPanel*>()->select(id);
+    window_->commands().trigger("clouds.move_here");
+    auto shift = clouds().find(id)->shift_m;
+    shift.z() = -99;  // 1.5 m above the ground
+    clouds().place(id, shift, 90);
+    QTRY_VERIFY_WITH_TIMEOUT(scene().refined() && drawn(id) > 100'000, 30000);
+    std::vector<render::PointSet> seen;
+    std::vector<const SceneCloud*> owners;
+    scene().cloud_layers().add_drawn(seen, owners);
+    for (const auto& set : seen)
+      for (std::size_t k = 0; k < set.indices.size(); k += 97) {
+        const Eigen::Vector3d q = set.cloud->position(set.indices[k]);
+        QVERIFY(q.x() > -1 && q.x() < 11 && q.y() > -1 && q.y() < 11 && std::abs(q.z() - 1.5) < 0.02);
+      }
+    // A section of all its points, not of the coarse ones.
+    auto* section = window_->findChild<SectionTool*>();
+    section->show({{2, 4}, {4, 4}, 0.1});
+    const auto& cut = section->view().section();
+    QTRY_VERIFY_WITH_TIMEOUT(cut && cut->points_of(1) > 1700, 20000);  // 200 x 9 or 10; of the coarse ones 400
+    QVERIFY(cut->points_of(1) < 2300);
+
+    // Of other formats an even share is kept, which is said.
+    io::write_cloud(at("large.ply").toStdString(), PointCloud(PointCloud::Positions(1'200'000, {1, 1, 1})));
+    const int thinned = add("large.ply");
+    QVERIFY(clouds().find(thinned)->read->points->size() <= (std::size_t{16} << 20) / 16);
+    QCOMPARE(clouds().find(thinned)->read->found, std::uint64_t{1'200'000});
+    QVERIFY2(window_->log().text().contains("1,200,000"), qPrintable(window_->log().text()));
+  }
+
+  // BOLE_LOOK=FOLDER writes what a person should look at.
+  void pictures_to_look_at() {
+    const QString to = qEnvironmentVariable("BOLE_LOOK");
+    if (to.isEmpty()) QSKIP("BOLE_LOOK is not set");
+    for (const QString language : {"en", "zh_CN"})
+      for (const auto theme : {Theme::light, Theme::dark}) {
+        install_language(*QCoreApplication::instance(), language);
+        apply_theme(theme);
+        MainWindow window;
+        window.resize(language == "en" ? QSize(1600, 1000) : QSize(1280, 720));
+        apply_mode(window, shipped_modes().front());
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(open_sample_and_wait(window));
+        auto cloud = *window.scene().survey().points;
+        const auto earlier = QDir(folder_.path()).filePath("last_year.laz");
+        PointCloud only(cloud.positions(), cloud.origin);
+        only.scale = Eigen::Vector3d::Constant(0.001);
+        io::write_cloud(earlier.toStdString(), only);
+        auto* clouds = window.findChild<Clouds*>();
+        clouds->add(earlier);
+        QTRY_VERIFY_WITH_TIMEOUT(clouds->list().size() == 1, 20000);
+        clouds->add(at("flown.laz"));
+        QTRY_VERIFY_WITH_TIMEOUT(clouds->list().size() == 2, 20000);
+        const QString name = QString("%1/%2_%3_").arg(to, language, theme == Theme::dark ? "dark" : "light");
+        clouds->place(clouds->list().front().id, {0.6, 0.3, 0.05}, 1);
+        QTRY_VERIFY_WITH_TIMEOUT(window.scene().refined(), 20000);
+        QTest::qWait(200);
+        window.grab().save(name + "1_clouds.png");
+        window.findChild<CloudPanel*>()->select(clouds->list().front().id);
+        window.commands().trigger("view.map");
+        const auto box = window.scene().whole();
+        const double y = (box.lo.y() + box.hi.y()) / 2;
+        window.findChild<SectionTool*>()->show({{box.lo.x(), y}, {box.hi.x(), y}, 2});
+        QTRY_VERIFY_WITH_TIMEOUT(window.scene().refined(), 20000);
+        QTest::qWait(600);
+        window.grab().save(name + "2_section.png");
+        window.commands().trigger("view.map");
+        window.session().discard_recovery();
+        QFile::remove(QFileInfo(window.session().path()).absolutePath() + "/" +
+                      QFileInfo(window.session().path()).completeBaseName() + ".clouds.json");
+      }
+    apply_theme(Theme::light);
+    install_language(*QCoreApplication::instance(), "en");
+  }
+
+ private:
+  QString at(const char* name) const { return folder_.filePath(name); }
+  Clouds& clouds() { return *window_->findChild<Clouds*>(); }
+  SceneView& scene() { return window_->scene(); }
+  std::size_t drawn(int id) { return scene().cloud_layers().drawn(id); }
+  QString said() { return window_->findChild<QLabel*>("cloud_said")->text(); }
+  QDoubleSpinBox* box(const char* name) { return window_->findChild<QDoubleSpinBox*>(name); }
+
+  void open_window() {
+    window_ = std::make_unique<MainWindow>();
+    window_->resize(1300, 850);
+    window_->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
+    window_->open(at("plot.json"));
+    QTRY_VERIFY_WITH_TIMEOUT(scene().has_survey(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 20000);
+  }
+
+  void reopen() {
+    window_->session().discard_recovery();
+    window_.reset();
+    open_window();
+  }
+
+  void measure() {
+    window_->refresh();
+    QVERIFY(wait_for_run(*window_));
+  }
+
+  // Reads it to the end; 0: it was not taken.
+  int add(const char* name) {
+    const auto before = clouds().list().size();
+    clouds().add(at(name));
+    for (int wait = 0; wait < 2000 && clouds().reading(); ++wait) QTest::qWait(10);
+    return clouds().list().size() == before + 1 ? clouds().list().back().id : 0;
+  }
+
+  QImage picture() {
+    for (int wait = 0; wait < 400 && !scene().refined(); ++wait) QTest::qWait(20);
+    auto settings = scene().settings();
+    settings.legend = false;
+    scene().set_settings(settings);
+    return scene().picture(800, false);
+  }
+
+  static int count_of(const QImage& picture, const render::Color& color) {
+    const QColor wanted = QColor::fromRgbF(color.r, color.g, color.b);
+    int count = 0;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) {
+        const QColor c = picture.pixelColor(x, y);
+        count += std::abs(c.red() - wanted.red()) + std::abs(c.green() - wanted.green()) +
+                     std::abs(c.blue() - wanted.blue()) <
+                 12;
+      }
+    return count;
+  }
+
+  static double section_mean_x(const CrossSection& cut, std::uint32_t owner, double near_x) {
+    std::vector<double> x;
+    for (std::size_t k = 0; k < cut.owners.size(); ++k)
+      if (cut.owners[k] == owner && cut.drawn.points[k].y() > 1.5 && std::abs(cut.drawn.points[k].x() - near_x) < 0.5)
+        x.push_back(cut.drawn.points[k].x());
+    return x.empty() ? 1e9 : mean(x);
+  }
+
+  QTemporaryDir folder_;
+  std::unique_ptr<MainWindow> window_;
+};
+
+}  // namespace bole::desktop
+
+int main(int argc, char** argv) {
+  bole::desktop::TestApplication application(argc, argv);
+  bole::desktop::CloudsTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "clouds_test.moc"

@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "render/beside/ground_below.h"
+#include "render/beside/placed_cloud.h"
+#include "render/draw/cloud_key.h"
+#include "render/scene/point_octree.h"
+#include "render/scene/view_furniture.h"
+
+namespace bole::render {
+namespace {
+
+PointCloud strewn(std::size_t points, const Eigen::Vector3d& origin) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> unit(0, 1);
+  PointCloud::Positions p;
+  for (std::size_t i = 0; i < points; ++i) p.emplace_back(20 * unit(random), 10 * unit(random), 5 * unit(random));
+  PointCloud cloud(std::move(p), origin);
+  cloud.scale = Eigen::Vector3d::Constant(0.001);
+  cloud.set_column(arrays::intensity, std::vector<float>(points, 7));
+  return cloud;
+}
+
+TEST(PlacedCloud, ShiftsExactlyAndSharesItsPoints) {
+  const auto cloud = strewn(1000, {563000, 5412000, 300});
+  CloudPlace place;
+  place.shift = {-563000, -5412000, 0.25};
+  const auto moved = placed_cloud(cloud, place);
+  EXPECT_EQ(moved.shared_positions(), cloud.shared_positions());
+  EXPECT_EQ(moved.origin, Eigen::Vector3d(0, 0, 300.25));
+  EXPECT_TRUE(moved.has(arrays::intensity));
+  EXPECT_TRUE(moved.scale.isZero());
+  EXPECT_EQ(placed_cloud(cloud, {}).scale, cloud.scale);
+}
+
+TEST(PlacedCloud, TurnsAboutItsPivotAndBack) {
+  const Eigen::Vector3d origin(563000, 5412000, 300);
+  const auto cloud = strewn(1000, origin);
+  CloudPlace place;
+  place.shift = {1, 2, 3};
+  place.turn_rad = 0.7;
+  place.pivot = {563010, 5412005};
+  const auto moved = placed_cloud(cloud, place);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3d p = cloud.position(i), q = moved.position(i);
+    ASSERT_LT((place.of(p) - q).norm(), 1e-5);
+    ASSERT_NEAR((q.head<2>() - place.pivot - place.shift.head<2>()).norm(), (p.head<2>() - place.pivot).norm(), 1e-5);
+    ASSERT_NEAR(q.z() - p.z(), 3, 1e-6);
+    ASSERT_LT((place.back(q.head<2>()) - p.head<2>()).norm(), 1e-5);
+  }
+  // A quarter to the left takes east to north.
+  place.shift.setZero();
+  place.turn_rad = std::numbers::pi / 2;
+  const Eigen::Vector3d east(place.pivot.x() + 4, place.pivot.y(), 0);
+  EXPECT_LT((place.of(east) - Eigen::Vector3d(place.pivot.x(), place.pivot.y() + 4, 0)).norm(), 1e-9);
+}
+
+// What a camera sees of moved nodes is what it sees of a cloud whose points were moved.
+TEST(PlacedNodes, ChooseWhatTheMovedCloudHas) {
+  const auto cloud = std::make_shared<const PointCloud>(strewn(60'000, {100, 200, 30}));
+  const auto octree = std::make_shared<const PointOctree>(*cloud);
+  CloudPlace place;
+  place.shift = {5, -3, 1};
+  place.turn_rad = 0.5;
+  place.pivot = {110, 205};
+  const auto nodes = placed_nodes(nodes_in_memory(cloud, octree), place);
+  const auto moved = placed_cloud(*cloud, place);
+  EXPECT_LT((nodes->origin() - moved.origin).norm(), 1e-12);
+  EXPECT_EQ(placed_nodes(nullptr, place), nullptr);
+
+  // A box of the moved cloud: every point of it is among those of the nodes that are chosen.
+  const Eigen::Vector3d centre = place.of({110, 205, 32});
+  const Eigen::Vector3f middle = (centre - moved.origin).cast<float>(), half(2, 1, 2);
+  OctreeView view;
+  view.height_px = 1e6;
+  view.world_to_clip(0, 0) = view.world_to_clip(1, 1) = view.world_to_clip(2, 2) = 0.01;
+  view.lo = middle - half;
+  view.hi = middle + half;
+  std::size_t within = 0, expected = 0, all = 0;
+  const auto holds = [&](const Eigen::Vector3d& p) {
+    return ((p - centre).cast<float>().cwiseAbs().array() <= half.array()).all();
+  };
+  for (const auto node : nodes->choose(view, 1'000'000, 1e-9)) {
+    const auto set = nodes->points(node);
+    all += set.indices.size();
+    for (const auto i : set.indices) within += holds(set.cloud->position(i));
+  }
+  for (std::size_t i = 0; i < moved.size(); ++i) expected += holds(moved.position(i));
+  EXPECT_GT(expected, 100u);
+  EXPECT_EQ(within, expected);
+  EXPECT_LT(all, cloud->size());
+}
+
+TEST(GroundBelow, IsThatOfTheSurvey) {
+  PointCloud::Positions p;
+  std::vector<float> heights;
+  for (int x = 0; x < 100; ++x)
+    for (int y = 0; y < 100; ++y) {
+      const float ground = 0.02f * static_cast<float>(x), above = static_cast<float>((x * 7 + y * 3) % 20);
+      p.emplace_back(0.2f * static_cast<float>(x), 0.2f * static_cast<float>(y), ground + above);
+      heights.push_back(above);
+    }
+  PointCloud cloud(std::move(p), {500, 600, 70});
+  EXPECT_TRUE(GroundBelow(cloud).empty());
+  cloud.set_column(arrays::height_above_ground, heights);
+  const GroundBelow ground(cloud);
+  EXPECT_NEAR(ground.z_at({510, 610}), 71, 0.06);
+  EXPECT_NEAR(ground.z_at({500.1, 600.1}), 70, 0.06);
+  EXPECT_TRUE(std::isfinite(ground.z_at({521.5, 610})));
+  EXPECT_TRUE(std::isnan(ground.z_at({540, 610})));
+}
+
+TEST(CloudKeys, StandInTheViewOnlyWhereThereAreClouds) {
+  ViewFurniture f;
+  f.width_mm = 200;
+  f.height_mm = 150;
+  const auto before = furniture_patches(f).size();
+  f.clouds = {{"last_year.laz", hex(0xd55e00)}, {"ein sehr langer Name einer sehr großen Wolke im Wald.laz", {}}};
+  const auto patches = furniture_patches(f);
+  ASSERT_EQ(patches.size(), before + 1);
+  const auto image = figure_image(patches.back().figure, 96);
+  int orange = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const auto c = image.pixel(x, y);
+      orange += c.r > 0.8 && c.g > 0.3 && c.g < 0.45 && c.b < 0.1;
+    }
+  EXPECT_GT(orange, 20);
+  EXPECT_LE(patches.back().box.x1, f.width_mm);
+  EXPECT_GE(patches.back().box.x0, 0);
+}
+
+}  // namespace
+}  // namespace bole::render
