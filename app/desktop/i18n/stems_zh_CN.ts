@@ -68,6 +68,14 @@
             <translation>传感器看不到更高处</translation>
         </message>
         <message>
+            <source>the cloud ends there</source>
+            <translation>点云到此为止</translation>
+        </message>
+        <message>
+            <source>the stem ends without a tip or a crown</source>
+            <translation>树干在此终止,没有树梢或树冠</translation>
+        </message>
+        <message>
             <source>given by hand</source>
             <translation>人工给定</translation>
         </message>
@@ -146,6 +154,10 @@
         <message>
             <source>no ground seen within %1 m: the terrain is interpolated here</source>
             <translation>%1 m 内未见地面:此处地形为内插</translation>
+        </message>
+        <message>
+            <source>ends %1 m above ground: a stump, a post, a person?</source>
+            <translation>在离地 %1 m 处终止:树桩、立柱还是人?</translation>
         </message>
         <message>
             <source>added by hand</source>

@@ -8,7 +8,7 @@
 namespace bole::stems {
 namespace {
 
-constexpr std::array<std::string_view, 22> reason_formats{
+constexpr std::array<std::string_view, 23> reason_formats{
     "only {:.0f} deg of the bark seen",
     "{:.0f} deg of the bark seen and no sensor positions: the diameter may be biased",
     "wide interval: +-{:.1f} cm",
@@ -28,6 +28,7 @@ constexpr std::array<std::string_view, 22> reason_formats{
     "goes on {:.1f} m below the terrain: the ground is wrong here, {:.1f} m is not breast height",
     "begins {:.1f} m above a terrain that was not seen here: breast height is uncertain",
     "no ground seen within {:.0f} m: the terrain is interpolated here",
+    "ends {:.1f} m above ground: a stump, a post, a person?",
     "added by hand",
     "added by hand, circle fitted to the slice",
     "split from {:.0f} by hand"};

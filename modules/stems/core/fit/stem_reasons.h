@@ -30,6 +30,7 @@ enum class StemReason {
   below_terrain,
   above_unseen_terrain,
   no_ground_near,
+  ends_low,
   added,
   added_and_fitted,
   split,
