@@ -68,6 +68,14 @@
             <translation>传感器看不到更高处</translation>
         </message>
         <message>
+            <source>the cloud ends there</source>
+            <translation>点云到此为止</translation>
+        </message>
+        <message>
+            <source>the stem ends without a tip or a crown</source>
+            <translation>树干在此终止,没有树梢或树冠</translation>
+        </message>
+        <message>
             <source>given by hand</source>
             <translation>人工给定</translation>
         </message>
@@ -150,6 +158,10 @@
         <message>
             <source>begins at the lowest points of the cloud and does not widen there: its foot may be missing</source>
             <translation>从点云最低处开始,且在该处没有变粗:树干基部可能缺失</translation>
+        </message>
+        <message>
+            <source>ends %1 m above ground: a stump, a post, a person?</source>
+            <translation>在离地 %1 m 处终止:树桩、立柱还是人?</translation>
         </message>
         <message>
             <source>added by hand</source>

@@ -59,11 +59,24 @@ void take_heights(const std::vector<SizedStem>& stems, PlotValues& m) {
     weighted += s.height_m * basal_area_m2(s.dbh_cm);
     weight += basal_area_m2(s.dbh_cm);
   }
+  m.tops_basal_area_pct = 100 * weight / m.basal_area_m2;
   m.heights_known = enough_tops(m.tops_seen, stems.size());
   if (!m.heights_known) return;
   m.mean_height_m = sum / static_cast<double>(m.tops_seen);
   m.lorey_height_m = weighted / weight;
   if (std::isfinite(m.area_m2)) take_dominant_height(stems, m);
+}
+
+// Each stem with its height, or with what it reaches at least: nothing where that is not known.
+double lorey_at_least_m(const std::vector<SizedStem>& stems, const std::vector<double>& bound_m) {
+  double weighted = 0, weight = 0;
+  for (std::size_t i = 0; i < stems.size(); ++i) {
+    const double g = basal_area_m2(stems[i].dbh_cm);
+    const double height = std::isfinite(stems[i].height_m) ? stems[i].height_m : bound_m[i];
+    weighted += std::isfinite(height) ? g * height : 0;
+    weight += g;
+  }
+  return weighted / weight;
 }
 
 std::vector<DiameterClass> classes_of(const std::vector<SizedStem>& stems, const std::vector<CountedStem>& counted,
@@ -156,10 +169,11 @@ PlotValues plot_values(const Table& stems, const CountingRule& rule, const PlotV
   m.area_m2 = rule.area.area_m2();
   m.min_counted_dbh_cm = rule.min_dbh_cm;
   m.mean_dbh_cm = m.sd_dbh_cm = m.quadratic_mean_dbh_cm = m.min_dbh_cm = m.max_dbh_cm = no_number;
-  m.mean_height_m = m.lorey_height_m = m.dominant_height_m = no_number;
+  m.mean_height_m = m.lorey_height_m = m.lorey_at_least_m = m.dominant_height_m = m.tops_basal_area_pct = no_number;
   const auto x = stems.numbers("x_m"), y = stems.numbers("y_m"), dbh = stems.numbers("dbh_cm"),
              height = seen_heights(stems), low = numbers_or_nan(stems, "dbh_lo_cm"),
-             high = numbers_or_nan(stems, "dbh_hi_cm"), volume = numbers_or_nan(stems, "volume_m3");
+             high = numbers_or_nan(stems, "dbh_hi_cm"), volume = numbers_or_nan(stems, "volume_m3"),
+             bound = numbers_or_nan(stems, "height_lower_bound_m");
   for (const auto i : kept_rows(stems)) {
     if (!std::isfinite(dbh[i])) continue;
     if (!rule.area.contains(x[i], y[i]))
@@ -169,14 +183,17 @@ PlotValues plot_values(const Table& stems, const CountingRule& rule, const PlotV
   }
   const auto state = texts_or_empty(stems, "state"), quality = texts_or_empty(stems, "quality");
   std::vector<SizedStem> sized;
+  std::vector<double> bounds;
   for (const auto i : counted_rows(stems, rule)) {
     sized.push_back(sized_stem(dbh[i], low[i], high[i], height[i], volume[i]));
+    bounds.push_back(bound[i]);
     m.counted.push_back({i, is_to_check(state[i], quality[i])});
   }
   m.stems = sized.size();
   if (!sized.empty()) {
     take_diameters(sized, m);
     take_heights(sized, m);
+    if (stems.has("height_lower_bound_m")) m.lorey_at_least_m = lorey_at_least_m(sized, bounds);
     m.stand = stand_values(sized, m.assumed);
   }
   take_sound(sized, m);

@@ -54,6 +54,9 @@ struct PlotValues {
   bool heights_known = false;  // enough tops for the heights below, see enough_tops()
   double mean_height_m = 0;
   double lorey_height_m = 0;       // mean height weighted by basal area
+  double tops_basal_area_pct = 0;  // share of the basal area whose tops were seen; NaN without stems
+  double lorey_at_least_m = 0;     // likewise of all stems, those whose top was not seen with their lower bound;
+                                   // NaN where the table has no column of lower bounds
   double dominant_height_m = 0;    // mean height of the 100 thickest stems per hectare; NaN without area, or where less
                                    // than half of their tops were seen
   std::size_t dominant_stems = 0;  // how many stems that is on this plot
@@ -76,9 +79,9 @@ bool many_to_check(const PlotValues& values);
 // More than half of the basal area: what is left does not describe the plot.
 bool mostly_to_check(const PlotValues& values);
 
-// `stems`: columns x_m, y_m, dbh_cm, and height_m, height_seen, quality and state where known. A stem is to be checked
-// where its state is "check" or its quality "poor" and no person has decided on it. Breast height is that of the table
-// (fact breast_height_m).
+// `stems`: columns x_m, y_m, dbh_cm, and height_m, height_seen, height_lower_bound_m, quality and state where known. A
+// stem is to be checked where its state is "check" or its quality "poor" and no person has decided on it. Breast height
+// is that of the table (fact breast_height_m).
 PlotValues plot_values(const Table& stems, const CountingRule& rule, const PlotValueOptions& options = {});
 
 }  // namespace bole::inventory

@@ -89,6 +89,8 @@ Table plot_value_table(const PlotValues& v, const PlotValueOptions& options) {
   rows.count("tops_seen", v.tops_seen);
   rows.add("mean_height", v.mean_height_m, "m");
   rows.add("lorey_height", v.lorey_height_m, "m");
+  rows.add("tops_basal_area", v.tops_basal_area_pct, "%");
+  rows.add("lorey_height_at_least", v.lorey_at_least_m, "m");
   rows.add("dominant_height", v.dominant_height_m, "m");
   rows.count("dominant_stems", v.dominant_stems);
   rows.count("dominant_tops", v.dominant_tops);

@@ -159,11 +159,16 @@ class Cards {
   }
 
   Card height() const {
-    if (v_.given("lorey_height"))
-      return {v_.text("lorey_height", 1), "", "m", "Lorey's height",
-              "tops seen on " + v_.count("tops_seen") + " of " + v_.count("stems") + " stems"};
-    return {not_given, "", "", "Height",
-            "tops seen on " + v_.count("tops_seen") + " of " + v_.count("stems") + " stems"};
+    const std::string seen = "tops seen on " + v_.count("tops_seen") + " of " + v_.count("stems") + " stems";
+    if (v_.given("lorey_height") && few_heights(v_)) {
+      const std::string share = seen + ", " + v_.count("tops_basal_area") + " % of the basal area";
+      if (v_.has("lorey_height_all"))
+        return {v_.text("lorey_height_all", 1), "", "m", "Lorey's height", share + "; the others by the height curve"};
+      return {"\u2265 " + v_.text("lorey_height_at_least", 1), "", "m", "Lorey's height",
+              share + "; the others count with the height that they reach at least"};
+    }
+    if (v_.given("lorey_height")) return {v_.text("lorey_height", 1), "", "m", "Lorey's height", seen};
+    return {not_given, "", "", "Height", seen};
   }
 
   const Table& table_;

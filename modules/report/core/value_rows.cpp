@@ -35,6 +35,12 @@ std::vector<ValueRow> height_rows(const PlotValues& v) {
   std::vector<ValueRow> rows{
       {"Mean height", v.text("mean_height", 1), "m", seen + "; these alone count"},
       {"Lorey's height", v.text("lorey_height", 1), "m", "heights weighted by basal area; " + seen}};
+  if (few_heights(v)) {
+    rows.back().name += " of these tops";
+    rows.back().how += " with " + v.count("tops_basal_area") + " % of the basal area";
+    rows.push_back({"Lorey's height, at least", v.text("lorey_height_at_least", 1), "m",
+                    "all stems, those whose top was not seen with the height that they reach at least"});
+  }
   if (v.value("dominant_stems") > 0)
     rows.push_back({"Dominant height", v.text("dominant_height", 1), "m",
                     "mean height of the 100 thickest stems per hectare: " + v.count("dominant_stems") +
@@ -107,6 +113,15 @@ std::string PlotValues::text(const std::string& measure, int decimals) const {
 }
 
 bool PlotValues::given(const std::string& measure) const { return std::isfinite(value(measure)); }
+
+bool PlotValues::has(const std::string& measure) const {
+  return std::ranges::find(measures_, measure) != measures_.end() && given(measure);
+}
+
+bool few_heights(const PlotValues& v) {
+  constexpr double few_pct = 50;  // the mean of fewer does not describe the plot
+  return v.has("tops_basal_area") && v.has("lorey_height_at_least") && v.value("tops_basal_area") < few_pct;
+}
 
 std::vector<ValueRow> value_rows(const PlotValues& v, const Table* height_curve) {
   const bool bounded = v.given("area");

@@ -25,11 +25,16 @@ class PlotValues {
   std::string text(const std::string& measure, int decimals) const;
   std::string count(const std::string& measure) const { return text(measure, 0); }
   bool given(const std::string& measure) const;
+  // The same, also for measures that the tables of older versions do not have.
+  bool has(const std::string& measure) const;
 
  private:
   std::vector<std::string> measures_;
   std::vector<Value> values_;
 };
+
+// Less than half of the basal area has a seen top: Lorey's height is then printed as "at least".
+bool few_heights(const PlotValues& values);
 
 struct ValueRow {
   std::string name, value, unit, how;

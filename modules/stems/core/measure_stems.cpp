@@ -281,9 +281,9 @@ class Survey {
     auto growth = grow_crowns(out_.stems, points_, options_, run_, labels);
     give(labels, &growth);
     run_.report(0.94, "tops, volumes and crowns");
+    measure_crowns(out_.stems, points_, labels, run_, out_.report);
     out_.tops = measure_tops(out_.stems, points_, labels, growth, sensor_of_point(), run_, out_.report);
     measure_volumes(out_.stems, breast_height_, run_, out_.report);
-    measure_crowns(out_.stems, points_, labels, run_, out_.report);
     out_.points = input_;
     out_.points.set_column(arrays::tree_id, std::move(labels.tree_id));
     out_.points.set_column(arrays::stem, std::move(labels.stem));

@@ -44,6 +44,7 @@ def survey(bole, cloud, out, settings=(), report=False, limit_s=900):
             if r.get("state") != "rejected":
                 result["stems"].append({"x": float(r["x_m"]), "y": float(r["y_m"]), "z": number(r["z_m"]), "dbh": number(r["dbh_cm"]),
                                         "low": number(r["dbh_lo_cm"]), "high": number(r["dbh_hi_cm"]), "quality": r["quality"],
+                                        "height": number(r.get("height_m", "")) if r.get("height_seen") == "1" else math.nan,
                                         "flagged": r["state"] == "check" or r["quality"] == "poor"})
     if code != 0:
         lines = [line for line in errors.splitlines() if line.strip() and not line.startswith("Results are")]

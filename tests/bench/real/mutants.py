@@ -7,10 +7,10 @@ SCAN is the folder of `bole simulate --plot demo --seed 1 --out SCAN`. The cloud
 (`bole run pipelines/forest_plot.json --set scan.file=SCAN/walk.pcap --set slam.trajectory=SCAN/trajectory.tum`), made here unless --cloud names it, cut to the
 plot and a margin of 2 m, x, y and z alone, 1 point in --every. The mutants: ground cut away, heights in place of elevations, both, one point in 50, tilted by 5
 deg, two registrations 5 cm apart, y up, feet, millimetres, few ground points, litter, slash over hidden ground, stems seen from one side, every point
-twice, a tree cut out.
+twice, a tree cut out, cut off 6, 9 and 12 m above the ground, a standing person, a post, a barrel.
 
 A row is right when nine trees of ten that the cloud shows are found, sound or not, the diameters of the sound ones have a bias of at most 0.6 cm and an RMSE of at most 1.2 cm, and the
-ground from which breast height counts (z_m) is right to 0.10 m (median over the trees). Where it is not, the verdict must be refused, or look with a finding about the mutant. Else the row is SILENTLY
+ground from which breast height counts (z_m) is right to 0.10 m (median over the trees). A height that counts as seen on a sound tree must be right to 1 m or a tenth of it, whichever is more. Where it is not, the verdict must be refused, or look with a finding about the mutant. Else the row is SILENTLY
 WRONG, and the script exits 1. The cloud as it is must come out right.
 """
 import argparse
@@ -26,6 +26,7 @@ import tempfile
 import measured
 
 FOUND, BIAS_CM, RMSE_CM, HEIGHT_M = 0.9, 0.6, 1.2, 0.10
+TOP_M, TOP_SHARE = 1.0, 0.1
 FOOT = 0.3048
 
 
@@ -85,13 +86,32 @@ def rotation(axis, degrees):
 
 class Mutant:
     """`back` carries a result's place (x, y, z) to the axes of the plot; `about` are words of the codes of findings that tell of the mutation; `only`
-    is the one tree that the cloud shows."""
+    is the one tree that the cloud shows; `things` are the places (x, y) of what is no tree and must not be sound."""
 
-    def __init__(self, name, points, about=(), back=lambda p: p, normalised=False, only=None):
-        self.name, self.points, self.about, self.back, self.normalised, self.only = name, points, about, back, normalised, only
+    def __init__(self, name, points, about=(), back=lambda p: p, normalised=False, only=None, things=()):
+        self.name, self.points, self.about, self.back, self.normalised, self.only, self.things = name, points, about, back, normalised, only, things
 
 
-def mutants(points, terrain, trees):
+def column(random, terrain, at, radius, height, points):
+    """The surface of an upright round thing, blurred by 8 mm."""
+    import numpy
+    angle = 2 * math.pi * random.random(points)
+    x, y = (at[k] + radius * f(angle) + random.normal(0, 0.008, points) for k, f in enumerate((numpy.cos, numpy.sin)))
+    return numpy.column_stack([x, y, terrain.at(x, y) + height * random.random(points)])
+
+
+def open_places(trees, half):
+    """The places of a grid that are furthest from all trees, and 3 m from each other."""
+    steps = [0.5 * k for k in range(-int(2 * half) + 3, int(2 * half) - 2)]
+    grid = sorted(((x, y) for x in steps for y in steps), key=lambda p: -min(math.hypot(p[0] - t["x"], p[1] - t["y"]) for t in trees))
+    places = []
+    for p in grid:
+        if all(math.hypot(p[0] - q[0], p[1] - q[1]) >= 3 for q in places):
+            places.append(p)
+    return places
+
+
+def mutants(points, terrain, trees, half_m):
     import numpy
     height = points[:, 2] - terrain.at(points[:, 0], points[:, 1])
     flat = points.copy()
@@ -128,6 +148,12 @@ def mutants(points, terrain, trees):
     yield Mutant("seen from one side", points[low | (beside > 0.01)], ("check", "side", "arc", "sparse"))
     yield Mutant("every point twice", numpy.concatenate([points, points]), ("duplicated",))
     yield Mutant("a tree cut out", points[(near < 0.5) & (height > 0.05)], ("single_tree", "ground", "terrain"), only=best)
+    for cut in (6, 9, 12):
+        yield Mutant(f"cut off {cut} m up", points[height < cut], ("cloud_ends",))
+    places = open_places(trees, half_m)
+    for place, (name, radius, tall) in zip(places, (("standing person", 0.17, 1.75), ("post", 0.06, 2.4), ("barrel", 0.3, 1.0))):
+        count = int(2 * math.pi * radius * tall * 2000)
+        yield Mutant(name, numpy.concatenate([points, column(random, terrain, place, radius, tall, count)]), ("stems_to_check",), things=[place])
 
 
 def judge(mutant, result, trees, all_trees, terrain):
@@ -146,12 +172,15 @@ def judge(mutant, result, trees, all_trees, terrain):
     rmse = math.sqrt(statistics.fmean([e * e for e in errors])) if errors else math.nan
     height = statistics.median(heights) if heights else math.nan
     false = [s for k, s in enumerate(stems) if k not in pairs.values() and not s["flagged"] and not any(math.hypot(s["x"] - t["x"], s["y"] - t["y"]) < 0.5 for t in all_trees)]
-    right = result["code"] == 0 and len(pairs) >= FOUND * len(here) and abs(bias) <= BIAS_CM and rmse <= RMSE_CM and abs(height) <= HEIGHT_M and len(false) <= 1
+    tops = [stems[k]["height"] - here[i]["height"] for i, k in sound.items() if not math.isnan(stems[k]["height"])]
+    wrong_tops = sum(abs(stems[k]["height"] - here[i]["height"]) > max(TOP_M, TOP_SHARE * here[i]["height"]) for i, k in sound.items())
+    wrong_things = sum(not s["flagged"] and any(math.hypot(s["x"] - x, s["y"] - y) < 0.4 for x, y in mutant.things) for s in stems)
+    right = wrong_tops == 0 and wrong_things == 0 and result["code"] == 0 and len(pairs) >= FOUND * len(here) and abs(bias) <= BIAS_CM and rmse <= RMSE_CM and abs(height) <= HEIGHT_M and len(false) <= 1
     about = [f["code"] for f in result["findings"] if f["severity"] != "note" and any(a in f["code"] for a in mutant.about)]
     refused = result["verdict"] == "refused" or (result["code"] != 0 and result["trouble"].startswith("bole: "))
     told = mutant.about and (refused or (result["verdict"] == "look" and bool(about)))
     return {"state": "right" if right else "told" if told else "SILENTLY WRONG", "found": f"{len(pairs)} of {len(here)}", "sound": len(sound), "false": len(false),
-            "dbh": f"{bias:+.2f} / {rmse:.2f}" if errors else "", "holding": f"{holding} of {len(pairs)}", "height": f"{height:+.2f}" if heights else ""}
+            "dbh": f"{bias:+.2f} / {rmse:.2f}" if errors else "", "holding": f"{holding} of {len(pairs)}", "tops": f"{len(tops)}, {wrong_tops}", "height": f"{height:+.2f}" if heights else ""}
 
 
 def main():
@@ -174,19 +203,20 @@ def main():
         folder.mkdir(parents=True, exist_ok=True)
         cloud = options.cloud
         if cloud is None:
-            command = [options.bole, "run", measured.REPOSITORY / "pipelines/forest_plot.json", "--no-cache", "--out", folder / "map", "--set", f"scan.file={options.scan}/walk.pcap",
+            scan = next(p for p in (options.scan / "walk.pcap", options.scan / "frames") if p.exists())
+            command = [options.bole, "run", measured.REPOSITORY / "pipelines/forest_plot.json", "--no-cache", "--out", folder / "map", "--set", f"scan.file={scan}",
                        "--set", f"slam.trajectory={options.scan}/trajectory.tum", "--set", "report.figures=false", "--set", "report.page=false", "--set", "report.cloud_format=las"]
             subprocess.run([str(c) for c in command], check=True, capture_output=True)
             cloud = folder / "map/cloud.las"
         half = json.loads((options.scan / "recipe.json").read_text())["plot"]["size_m"] / 2
         everything = read_las(cloud)[::options.every]
         kept = everything[(abs(everything[:, 0]) < half + options.margin) & (abs(everything[:, 1]) < half + options.margin)]
-        trees = [{"x": float(r["x_m"]), "y": float(r["y_m"]), "dbh": float(r["dbh_cm"]), "inside": r["in_plot"] == "1"} for r in measured.rows_of(options.scan / "trees.csv")]
+        trees = [{"x": float(r["x_m"]), "y": float(r["y_m"]), "dbh": float(r["dbh_cm"]), "height": float(r["height_m"]), "inside": r["in_plot"] == "1"} for r in measured.rows_of(options.scan / "trees.csv")]
         counted = [t for t in trees if t["inside"] and t["dbh"] >= 7.5]
         terrain = Terrain(options.scan / "dem.tif")
-        print(f"{1e-6 * len(kept):.1f} million points, {len(counted)} trees\n\n| cloud | state | found | sound | false | DBH of the sound: bias / RMSE, cm | 95 % holds | ground at the stem off, m | verdict: findings (notes) |\n|" + "---|" * 9, flush=True)
+        print(f"{1e-6 * len(kept):.1f} million points, {len(counted)} trees\n\n| cloud | state | found | sound | false | DBH of the sound: bias / RMSE, cm | 95 % holds | ground at the stem off, m | tops of the sound: seen, wrong | verdict: findings (notes) |\n|" + "---|" * 10, flush=True)
         wrong = 0
-        for mutant in mutants(kept, terrain, counted):
+        for mutant in mutants(kept, terrain, counted, half):
             if options.only and not any(mutant.name.startswith(o) for o in options.only):
                 continue
             path = folder / (mutant.name.replace(" ", "_").replace(",", "") + ".ply")
@@ -195,7 +225,7 @@ def main():
             j = judge(mutant, result, counted, trees, terrain)
             wrong += j["state"] == "SILENTLY WRONG"
             told = f"{result['verdict']}: {measured.codes(result)}" + (f" {result['trouble'][:100]}" if result["trouble"] else "")
-            print(f"| {mutant.name} | {j['state']} | {j['found']} | {j['sound']} | {j['false']} | {j['dbh']} | {j['holding']} | {j['height']} | {told} |", flush=True)
+            print(f"| {mutant.name} | {j['state']} | {j['found']} | {j['sound']} | {j['false']} | {j['dbh']} | {j['holding']} | {j['height']} | {j['tops']} | {told} |", flush=True)
             if not options.keep:
                 path.unlink()
     print(f"\n{wrong} rows are silently wrong")

@@ -135,6 +135,24 @@ TEST(PlotValues, HeightsComeFromSeenTopsAlone) {
   EXPECT_TRUE(std::isnan(m.dominant_height_m));  // no top of the five thickest was seen
 }
 
+TEST(PlotValues, LoreysHeightIsAlsoGivenAtLeast) {
+  auto t = line_of_stems(20, 6);
+  EXPECT_TRUE(std::isnan(plot_values(t, rectangle).lorey_at_least_m));  // no lower bounds in the table
+  t.set("height_lower_bound_m", std::vector<double>(20, 5));
+  const auto m = plot_values(t, rectangle);
+  double seen = 0, all = 0, weighted = 0;
+  for (int k = 0; k < 20; ++k) {
+    const double g = (10 + k) * (10 + k);
+    all += g;
+    if (k < 6) seen += g;
+    weighted += g * (k < 6 ? 10 + k : 5);
+  }
+  EXPECT_NEAR(m.tops_basal_area_pct, 100 * seen / all, 1e-9);
+  EXPECT_NEAR(m.lorey_at_least_m, weighted / all, 1e-9);
+  EXPECT_LT(m.lorey_at_least_m, m.lorey_height_m);
+  EXPECT_DOUBLE_EQ(value(plot_value_table(m, {}), "lorey_height_at_least"), m.lorey_at_least_m);
+}
+
 TEST(PlotValues, TooFewTopsAreWordsNotNumbers) {
   for (const auto& [n, seen] : {std::pair{10, 4}, {74, 3}, {40, 7}, {4, 0}, {74, 12}}) {
     const auto m = plot_values(line_of_stems(n, seen), rectangle);

@@ -48,6 +48,17 @@ TEST(ValueRows, TopsSeenAreNamed) {
   EXPECT_THAT(told(line_of_stems(20, 6)), HasSubstr("tops seen on 6 of 20 stems; these alone count"));
 }
 
+TEST(ValueRows, TheHeightOfFewTopsIsNamedSo) {
+  auto t = line_of_stems(20, 6);
+  t.set("height_lower_bound_m", std::vector<double>(20, 5));
+  EXPECT_THAT(told(t), HasSubstr("Lorey's height of these tops|"));
+  EXPECT_THAT(told(t), HasSubstr("with 12 % of the basal area"));
+  EXPECT_THAT(told(t), HasSubstr("Lorey's height, at least|5.9|m|"));
+  auto most = line_of_stems(20, 18);
+  most.set("height_lower_bound_m", std::vector<double>(20, 5));
+  EXPECT_THAT(told(most), Not(HasSubstr("at least|")));
+}
+
 TEST(ValueRows, TooFewTopsAreWordsNotNumbers) {
   for (const auto& [n, seen] : {std::pair{10, 4}, {74, 3}, {40, 7}, {4, 0}, {74, 12}}) {
     const auto text = told(line_of_stems(n, seen));

@@ -8,7 +8,7 @@
 namespace bole::stems {
 namespace {
 
-constexpr std::array<std::string_view, 23> reason_formats{
+constexpr std::array<std::string_view, 24> reason_formats{
     "only {:.0f} deg of the bark seen",
     "{:.0f} deg of the bark seen and no sensor positions: the diameter may be biased",
     "wide interval: +-{:.1f} cm",
@@ -29,6 +29,7 @@ constexpr std::array<std::string_view, 23> reason_formats{
     "begins {:.1f} m above a terrain that was not seen here: breast height is uncertain",
     "no ground seen within {:.0f} m: the terrain is interpolated here",
     "begins at the lowest points of the cloud and does not widen there: its foot may be missing",
+    "ends {:.1f} m above ground: a stump, a post, a person?",
     "added by hand",
     "added by hand, circle fitted to the slice",
     "split from {:.0f} by hand"};

@@ -31,6 +31,7 @@ enum class StemReason {
   above_unseen_terrain,
   no_ground_near,
   foot_not_seen,
+  ends_low,
   added,
   added_and_fitted,
   split,

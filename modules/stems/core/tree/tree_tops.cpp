@@ -1,5 +1,7 @@
 #include "stems/core/tree/tree_tops.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,6 +9,7 @@
 #include "base/statistics.h"
 #include "cloud/core/whole/whole_cloud.h"
 #include "stems/core/tree/tree_axis.h"
+#include "stems/core/tree/tree_ends.h"
 
 namespace bole::stems {
 namespace {
@@ -249,7 +252,7 @@ std::vector<char> tops_in_reach(const std::vector<Stem>& stems, const std::vecto
   return in_reach;
 }
 
-TopVerdict verdict_of(const Stem& s, const Top& top, const CanopyTop& canopy, bool in_reach) {
+TopVerdict verdict_of(const Stem& s, const Top& top, const CanopyTop& canopy, bool in_reach, TreeEnd end) {
   const double z = s.ground_z + top.height_m;
   if (top.height_m < bare_stem_m) return TopVerdict::low;
   if (!in_reach) return TopVerdict::out_of_reach;
@@ -259,12 +262,33 @@ TopVerdict verdict_of(const Stem& s, const Top& top, const CanopyTop& canopy, bo
     return TopVerdict::overtopped;
   if (top.lead_m < min_lead_m) return TopVerdict::contested;
   if (top.tip_points < min_tip_points) return TopVerdict::sparse;
+  if (end == TreeEnd::cloud_edge) return TopVerdict::cut_off;
+  if (end != TreeEnd::narrows && !top.by_hand) return TopVerdict::no_tip;
   return TopVerdict::seen;
 }
 
 // Only what no other tree can claim bounds the height from below.
 bool may_be_anothers(TopVerdict verdict) {
   return verdict == TopVerdict::off_axis || verdict == TopVerdict::overtopped || verdict == TopVerdict::contested;
+}
+
+void report_cut(const std::vector<TopVerdict>& verdicts, const std::optional<CloudCut>& cut, double origin_z,
+                Report& report) {
+  const auto ended = std::ranges::count(verdicts, TopVerdict::cut_off);
+  report.counts["trees_cut_off"] = ended;
+  if (ended == 0) return;
+  const auto trees = fmt::format("the cloud ends at the highest points of {} of {} trees", ended, verdicts.size());
+  const std::string then = "their heights are lower bounds, without volume. Give the cloud with its tops";
+  if (!cut)
+    report.find(
+        Severity::note, "cloud_ends_below_tops",
+        fmt::format("{}, where the stems around them are still thick: {}, or scan from further away", trees, then));
+  else if (cut->level)
+    report.find(Severity::look, "cloud_ends_below_tops",
+                fmt::format("{}: it was cut at z = {:.1f} m; {}", trees, origin_z + cut->z_m, then));
+  else
+    report.find(Severity::look, "cloud_ends_below_tops",
+                fmt::format("{}: it was cut {:.1f} m above the ground; {}", trees, cut->z_m, then));
 }
 
 }  // namespace
@@ -277,13 +301,18 @@ std::vector<TopVerdict> measure_tops(std::vector<Stem>& stems, const PointCloud&
   const auto tops = find_tops(stems, points, labels, growth, run);
   const auto in_reach = tops_in_reach(stems, tops, points, labels, sensor_of, run);
   const CanopyTop canopy(points, run);
+  std::vector<double> heights;
+  for (const auto& top : tops) heights.push_back(top.height_m);
+  const auto ends = tree_ends(stems, heights, points, labels, run);
+  judge_low_ends(stems, heights, points, run);
   for (std::size_t k = 0; k < stems.size(); ++k) {
     auto& s = stems[k];
-    verdicts.push_back(verdict_of(s, tops[k], canopy, in_reach[k] != 0));
+    verdicts.push_back(verdict_of(s, tops[k], canopy, in_reach[k] != 0, ends.by_stem[k]));
     s.height_m = may_be_anothers(verdicts.back()) ? tops[k].own_m : tops[k].height_m;
     s.height_seen = verdicts.back() == TopVerdict::seen;
   }
   report.counts["tops_seen"] = std::ranges::count(verdicts, TopVerdict::seen);
+  report_cut(verdicts, ends.cut, points.origin.z(), report);
   return verdicts;
 }
 
