@@ -16,6 +16,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/scene/point_paint.h"
+
 namespace bole::render {
 namespace {
 
