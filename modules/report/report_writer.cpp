@@ -44,6 +44,21 @@ void ReportWriter::write(const std::string& file, const std::function<void(const
   });
 }
 
+bool ReportWriter::write_geojson(const std::string& file, const io::VectorLayer& layer) {
+  if (layer.crs_wkt.empty()) {
+    report().facts[file] = "not written: no coordinate reference system";
+    report().find(Severity::note, "geojson_not_written",
+                  file +
+                      " was not written: GeoJSON holds longitude and latitude, and the place of these coordinates on "
+                      "the earth is not known. Give a cloud or table with a coordinate reference system, or use the "
+                      "other files");
+    return false;
+  }
+  const auto before = files_.size();
+  write(file, [&](const auto& path) { io::write_geojson(path, layer); });
+  return files_.size() > before;
+}
+
 void ReportWriter::put(const std::string& file, const std::string& bytes) {
   write_text_file(run_.output_dir / file, bytes);
   files_.push_back(file);
