@@ -269,7 +269,7 @@ std::string text_of(const ordered_json& json, int indent = -1) {
 // The fewest decimals that give the number as the file has it: 7.9997 for the nearest float, 7.999700069.
 std::string number_for_people(double value) {
   constexpr int most = 6;
-  const double tolerance = 1e-7 * std::clamp(std::abs(value), 1e-3, 10.0);
+  const double tolerance = 1e-7 * std::clamp(std::abs(value), 1e-3, 100.0);
   int decimals = 0;
   for (double scale = 1; decimals < most && std::abs(std::round(value * scale) / scale - value) > tolerance;
        scale *= 10)
