@@ -48,6 +48,20 @@ std::string_view verdict_name(Verdict verdict) {
   return names[static_cast<std::size_t>(verdict)];
 }
 
+std::string verdict_headline(Verdict verdict, std::size_t trees_to_look_at) {
+  switch (verdict) {
+    case Verdict::sign:
+      return trees_to_look_at == 0 ? std::string("Nothing speaks against signing")
+                                   : "Sign after a look at " + std::to_string(trees_to_look_at) +
+                                         (trees_to_look_at == 1 ? " tree" : " trees");
+    case Verdict::look:
+      return "Look before you sign";
+    case Verdict::refused:
+      return "Do not use these values";
+  }
+  return {};
+}
+
 namespace {
 
 // The check of the map looks at the whole survey once more: what another stage has found under the same code is listed

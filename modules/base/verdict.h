@@ -1,6 +1,7 @@
 // Whether the result of a run may be signed, and why not.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,12 @@ bool has_finding(const Report& report, std::string_view code);
 
 std::string_view severity_name(Severity severity);  // "note", "look", "refused"
 std::string_view verdict_name(Verdict verdict);     // "sign", "look", "refused"
+
+// The verdict in the words of the page and the console: "Sign after a look at 1 tree". Doubtful trees in the plot are
+// to be looked at whatever the run as a whole is worth; they do not change the verdict.
+std::string verdict_headline(Verdict verdict, std::size_t trees_to_look_at = 0);
+// The count of a report of that name.
+inline constexpr const char* trees_to_look_at_count = "trees_to_look_at";
 
 // The worst finding decides. A warning that is no finding is listed as a note with the code "warning". A stage that
 // ended early is a finding with the code "finished_early", to be looked at.

@@ -15,7 +15,10 @@
 #include "base/atomic_file.h"
 #include "base/drafts.h"
 #include "base/error.h"
+#include "base/verdict.h"
+#include "pipeline/old_survey.h"
 #include "pipeline/result_names.h"
+#include "pipeline/written_files.h"
 
 namespace bole::pipeline {
 namespace fs = std::filesystem;
@@ -220,7 +223,7 @@ ResultFolder::ResultFolder(const fs::path& folder, bool replace_foreign) : repla
   if (!whole.has_filename()) whole = whole.parent_path();
   if (fs::exists(whole, error) && !fs::is_directory(whole, error))
     throw bad_input("'" + folder.string() + "' is a file", "a folder for the results", "Give another --out DIR");
-  fs::create_directories(whole, error);
+  made_ = fs::create_directories(whole, error);
   if (error) throw failure("cannot make the folder '" + folder.string() + "': " + error.message());
   folder_ = fs::canonical(whole, error);
   if (error) throw failure("cannot find the folder '" + folder.string() + "': " + error.message());
@@ -245,15 +248,22 @@ ResultFolder::~ResultFolder() {
   std::error_code ignored;
   fs::remove_all(draft_, ignored);
   forget_draft(draft_);
+  if (made_) fs::remove(folder_, ignored);  // unless it holds something
 }
 
 void ResultFolder::refuse_foreign_files(bool sinks) const {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder_, ignored)) {
+    const auto name = entry.path().filename();
+    if (sinks && name.has_extension() && is_result_name(name.string()) && entry.is_directory(ignored))
+      throw bad_input("'" + entry.path().string() + "' is a folder", "a name that is free for a result",
+                      "Move it away or choose another folder");
+  }
   if (replace_foreign_) return;
   const auto own = own_files(folder_);
   std::set<std::string> own_names;
   for (const auto& name : own) own_names.insert(first_part(name));
   std::string found;
-  std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder_, ignored)) {
     const auto name = entry.path().filename().string();
     const bool written = sinks ? is_result_name(name) : name == summary_file;
@@ -300,18 +310,22 @@ void ResultFolder::refuse_conflicts(const std::set<std::string>& files, const st
   }
 }
 
-void ResultFolder::publish(const std::set<std::string>& kept) {
+std::vector<std::string> ResultFolder::publish(const std::set<std::string>& kept) {
   const SwapLock lock(folder_);
   roll_forward(folder_);
   const auto ours = own_files(folder_);
   const auto files = files_in_draft();
   refuse_conflicts(files, ours);
+  auto told = keep_changed(files, kept);
+  for (const auto& name : kept)
+    if (name.ends_with(".html") && !files.contains(name)) unmark_page(folder_ / name);
   forget_draft(draft_);  // from here on it is the survey
-  if (exchange(kept, ours)) return;
+  if (exchange(kept, ours)) return told;
   std::set<std::string> stale{failed_run_folder};
   for (const auto& name : ours)
     if (!files.contains(name) && !kept.contains(name)) stale.insert(name);
   move_file_by_file(stale);
+  return told;
 }
 
 void ResultFolder::add() {
@@ -375,42 +389,61 @@ bool ResultFolder::exchange(const std::set<std::string>& kept, const std::set<st
   return true;
 }
 
-namespace {
-
-std::string failed_run_text(const std::string& why, const ordered_json& before) {
-  return "The last run into this folder failed:\n\n  " + why +
-         "\n\nThe other files here are those of the survey before, finished at " +
-         before.value("finished_at", std::string("an unknown time")) +
-         ".\nThey do not show what the last run was asked for. What it wrote is in the folder " + failed_run_folder +
-         ".\n";
+// Puts what of the survey before was changed, and what the run does not leave as it is, into the draft under another
+// name, and notes in the summary of the draft what was written and what was kept.
+std::vector<std::string> ResultFolder::keep_changed(const std::set<std::string>& files,
+                                                    const std::set<std::string>& kept) const {
+  auto summary = read_summary(draft_);
+  if (!summary) return {};
+  const auto before = read_summary(folder_);
+  auto records = before && before->contains("written") ? before->at("written") : ordered_json::object();
+  std::vector<std::string> told;
+  for (const auto& name : changed_files(folder_, records)) {
+    if (kept.contains(name) && !files.contains(name)) continue;
+    const auto other = name_of_changed(folder_, name);
+    std::error_code error;
+    fs::create_directories((draft_ / other).parent_path(), error);
+    fs::create_hard_link(folder_ / name, draft_ / other, error);
+    if (error) fs::copy_file(folder_ / name, draft_ / other, error);
+    if (error)
+      throw failure("'" + name + "' was changed since Bole wrote it and cannot be kept: " + error.message(),
+                    "space for a copy", "Move it away or choose another folder");
+    told.push_back(name + " was changed after Bole wrote it: the changed file is kept as " + other +
+                   ", and this survey does not hold what was typed into it");
+    (*summary)["findings"].push_back(
+        {{"code", "changed_file_kept"}, {"severity", severity_name(Severity::note)}, {"text", told.back()}});
+  }
+  auto written = ordered_json::object();
+  for (const auto& file : summary->at("files")) {
+    const auto name = file.get<std::string>();
+    if (name == summary_file) continue;
+    if (files.contains(name))
+      written[name] = record_of(draft_ / name);
+    else if (records.is_object() && records.contains(name))
+      written[name] = records[name];
+  }
+  (*summary)["written"] = std::move(written);
+  write_text_file(draft_ / summary_file, summary->dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  return told;
 }
 
-void mark_as_old(ordered_json& summary, const std::string& why) {
-  summary["later_run_failed"] = why;
-  if (summary.value("verdict", std::string()) == "sign") summary["verdict"] = "look";
-  auto findings = ordered_json::array();
-  findings.push_back({{"code", "older_survey"},
-                      {"severity", "look"},
-                      {"text", "a later run failed (" + why + "): this is the survey before it, finished at " +
-                                   summary.value("finished_at", std::string("an unknown time"))}});
-  if (summary.contains("findings") && summary["findings"].is_array())
-    for (const auto& finding : summary["findings"])
-      if (finding.value("code", std::string()) != "older_survey") findings.push_back(finding);
-  summary["findings"] = std::move(findings);
-}
-
-}  // namespace
-
-void ResultFolder::keep_survey_before(const std::string& why) {
+OldSurvey ResultFolder::keep_survey_before(const std::string& why) {
   const SwapLock lock(folder_);
-  auto summary = read_summary(folder_);
-  if (!summary) return;
-  std::error_code ignored;
-  fs::remove_all(folder_ / failed_run_folder, ignored);
-  fs::rename(draft_, folder_ / failed_run_folder, ignored);
-  write_text_file(folder_ / failed_run_note, failed_run_text(why, *summary));
-  mark_as_old(*summary, why);
-  write_text_file(folder_ / summary_file, summary->dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+  if (!read_summary(folder_)) return {"summary.json: it cannot be read", false};
+  const auto files = own_files(folder_);
+  OldSurvey old;
+  std::error_code error;
+  fs::remove_all(folder_ / failed_run_folder, error);
+  fs::rename(draft_, folder_ / failed_run_folder, error);
+  old.results_kept = !error;
+  old.not_marked = mark_survey(folder_, files, why);
+  if (old.not_marked.empty()) return old;
+  // The marks matter more than what the failed run wrote.
+  fs::remove_all(folder_ / failed_run_folder, error);
+  fs::remove_all(draft_, error);
+  old.results_kept = false;
+  old.not_marked = mark_survey(folder_, files, why);
+  return old;
 }
 
 }  // namespace bole::pipeline

@@ -44,6 +44,19 @@ void ReportWriter::write(const std::string& file, const std::function<void(const
   });
 }
 
+bool ReportWriter::write_geojson(const std::string& file, const io::VectorLayer& layer) {
+  if (layer.crs_wkt.empty()) {
+    report().facts[file] =
+        "not written: GeoJSON holds longitude and latitude, and the place of these coordinates on the earth is not "
+        "known (no coordinate reference system)";
+    left_out_ = ", no GeoJSON: the place on the earth is not known";
+    return false;
+  }
+  const auto before = files_.size();
+  write(file, [&](const auto& path) { io::write_geojson(path, layer); });
+  return files_.size() > before;
+}
+
 void ReportWriter::put(const std::string& file, const std::string& bytes) {
   write_text_file(run_.output_dir / file, bytes);
   files_.push_back(file);
@@ -79,7 +92,7 @@ void ReportWriter::save(const render::Figure& figure, const FigureOutput& output
 
 pipeline::StageResult ReportWriter::finish() {
   report().counts["files"] = static_cast<std::int64_t>(files_.size());
-  report().message = fmt::format("{} files", files_.size());
+  report().message = fmt::format("{} files{}", files_.size(), left_out_);
   return std::move(result_);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/run.h"
+#include "io/core/gdal/gdal_writer.h"
 #include "pipeline/stage.h"
 #include "render/draw/figure.h"
 #include "report/core/picture.h"
@@ -36,6 +37,9 @@ class ReportWriter {
   // attempt() with the path of a file in the output folder; the file is listed where `write` succeeds. An
   // Error{bad_input} is the finding input_not_usable here: a table without a column is no fault of the disk.
   void write(const std::string& file, const std::function<void(const std::filesystem::path&)>& write);
+  // GeoJSON holds longitude and latitude only: a layer whose place on the earth is not known is not written; a fact and
+  // the message of the report say so. Gives whether it was written.
+  bool write_geojson(const std::string& file, const io::VectorLayer& layer);
   // Writes a figure as PNG, SVG and PDF into figures/.
   void save(const render::Figure& figure, const FigureOutput& output);
 
@@ -56,6 +60,7 @@ class ReportWriter {
   const Run& run_;
   pipeline::StageResult result_;
   std::vector<std::string> files_;
+  std::string left_out_;  // what was not written, in words for the message
   std::vector<ReportPicture> pictures_;
 };
 

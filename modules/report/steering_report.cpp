@@ -130,7 +130,7 @@ class SteeringReport {
   }
 
  private:
-  // For machines and maps, in longitude and latitude where the plane is known.
+  // For machines and maps, where the place of the plane on the earth is known.
   void write_lines() {
     const auto& lines = inputs_.table("lines");
     const auto crs = lines.facts.find("crs");
@@ -139,7 +139,7 @@ class SteeringReport {
     const auto ax = lines.numbers("a_x_m"), ay = lines.numbers("a_y_m"), bx = lines.numbers("b_x_m"),
                by = lines.numbers("b_y_m");
     for (std::size_t i = 0; i < lines.rows(); ++i) layer.shapes.push_back({{ax[i], ay[i], 0}, {bx[i], by[i], 0}});
-    writer_.write("ab_lines.geojson", [&](const auto& path) { io::write_geojson(path, layer); });
+    placed_ = writer_.write_geojson("ab_lines.geojson", layer);
   }
 
   void draw() {
@@ -203,8 +203,11 @@ class SteeringReport {
                 spread_columns(), 2);
     if (inputs_.has("lines"))
       page_.tables.push_back({"Guidance lines",
-                              "In metres, from A to B; line 0 leads through A and B, line 1 is the next to its left. "
-                              "ab_lines.geojson holds them for machines and maps.",
+                              std::string("In metres, from A to B; line 0 leads through A and B, line 1 is the next "
+                                          "to its left. ") +
+                                  (placed_ ? "ab_lines.geojson holds them for machines and maps."
+                                           : "steering_lines.csv holds them; their place on the earth is not known, so "
+                                             "there is no GeoJSON."),
                               &inputs_.table("lines"),
                               {{"line", "line"},
                                {"part", "part"},
@@ -231,6 +234,7 @@ class SteeringReport {
   const Run& run_;
   ReportWriter writer_;
   SimplePage page_;
+  bool placed_ = false;                         // the guidance lines are in ab_lines.geojson
   std::vector<std::unique_ptr<Table>> tables_;  // those of the page
 };
 

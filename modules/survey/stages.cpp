@@ -66,16 +66,17 @@ PlotSite site_of(const DataSet& inputs, const Run& run) {
   return site;
 }
 
-void judge_cover(const PlotArea& area, const PointCloud& points, const Run& run, Report& report) {
+void judge_cover(const PlotArea& area, const Table& plot, const PointCloud& points, const Run& run, Report& report) {
   constexpr double max_empty = 0.1;
   const double empty = empty_share(area, points, run);
   if (!std::isfinite(empty)) return;
   report.metrics["empty"] = {100 * empty, Unit::percent};
   if (empty <= max_empty) return;
-  report.find(Severity::look, "plot_partly_empty",
-              fmt::format("{:.0f} % of the plot ({}, centre ({:.2f}, {:.2f})) holds no points: values per hectare are "
-                          "too low there. Move the plot (x, y), make it smaller, or scan the rest",
-                          100 * empty, describe(area), area.centre.x(), area.centre.y()));
+  report.find(
+      Severity::look, "plot_partly_empty",
+      fmt::format("{}{:.0f} % of the plot ({}, centre ({:.2f}, {:.2f})) holds no points: values per hectare are "
+                  "too low there. Move the plot (x, y), make it smaller, or scan the rest",
+                  assumed_size_remedy(plot), 100 * empty, describe(area), area.centre.x(), area.centre.y()));
 }
 
 pipeline::StageResult run_plot(const DataSet& inputs, const OptionSet& options, const Run& run) {
@@ -84,6 +85,11 @@ pipeline::StageResult run_plot(const DataSet& inputs, const OptionSet& options, 
   const auto& area = plot.rule.area;
   pipeline::StageResult result;
   auto& report = result.report;
+  Table table = to_table(plot.rule);
+  if (!plot.assumed_size.empty()) {
+    table.facts[assumed_size_fact] = plot.assumed_size;
+    report.facts[assumed_size_fact] = plot.assumed_size;
+  }
   report.message = describe(area);
   if (!plot.centre.empty()) {
     report.facts["centre"] = plot.centre;
@@ -92,9 +98,9 @@ pipeline::StageResult run_plot(const DataSet& inputs, const OptionSet& options, 
   report.message += ", trees from " + number_text(plot.rule.min_dbh_cm) + " cm";
   if (area.shape != PlotArea::Shape::none) {
     report.metrics["area"] = {area.area_m2(), Unit::square_metre};
-    if (inputs.has("points")) judge_cover(area, inputs.cloud("points"), run, report);
+    if (inputs.has("points")) judge_cover(area, table, inputs.cloud("points"), run, report);
   }
-  result.outputs.set("plot", to_table(plot.rule));
+  result.outputs.set("plot", std::move(table));
   return result;
 }
 

@@ -131,9 +131,13 @@ std::string finished_early_text(const RunOutcome& outcome) {
 // Of a run that failed, where there is a survey before it.
 void keep_beside(pipeline::ResultFolder& folder, const fs::path& output_dir, RunOutcome& outcome) {
   outcome.kept_before = true;
-  write_text_file(folder.draft() / "summary.json", outcome.summary_json);
-  folder.keep_survey_before(outcome.error);
-  outcome.results = output_dir / pipeline::failed_run_folder;
+  try {
+    write_text_file(folder.draft() / "summary.json", outcome.summary_json);
+  } catch (const Error&) {  // a full disk; the marks below matter more
+  }
+  const auto old = folder.keep_survey_before(outcome.error);
+  outcome.not_marked = old.not_marked;
+  outcome.results = old.results_kept ? output_dir / pipeline::failed_run_folder : fs::path();
 }
 
 // Puts what a run wrote where it belongs: in place of the survey before, beside it when the run failed, nowhere when it
@@ -155,7 +159,7 @@ void keep_results(pipeline::ResultFolder& folder, const fs::path& output_dir, Ru
   std::set<std::string> files;
   for (const auto& stage : outcome.stages)
     for (const auto& file : stage.files) files.insert(whole_path(file).lexically_relative(output_dir).generic_string());
-  folder.publish(files);
+  outcome.kept_changed = folder.publish(files);
   outcome.results = output_dir;
 }
 

@@ -64,7 +64,10 @@ struct RunOutcome {
   std::vector<StageOutcome> stages;
   std::string summary_json;
   std::filesystem::path results;  // the folder with what this run wrote; empty: nothing was kept
-  bool kept_before = false;       // the run failed, and the survey before is still in the output folder, marked as old
+  bool kept_before = false;       // the run failed, and the survey before is still in the output folder
+  std::string not_marked;         // of that survey: what could not be marked as old, and why
+  // A sentence on each result that a person had changed and that is kept under another name.
+  std::vector<std::string> kept_changed;
 
   VTKBOLEBRIDGE_EXPORT bool finished_early() const;  // a stage ended early on request
 };

@@ -227,10 +227,25 @@ class Program(unittest.TestCase):
         self.assertEqual((out / "stems.csv").read_bytes(), before)
         self.assertIn("bad.csv", (out / "FAILED_RUN.txt").read_text())
         self.assertEqual(self.summary()["findings"][0]["code"], "older_survey")
+        self.assertIn("Do not sign: a later run into this folder failed", (out / "report.html").read_text())
         self.assertEqual(json.loads((out / "failed_run" / "summary.json").read_text())["verdict"], "refused")
         self.assertEqual(self.run_pipeline().returncode, DONE)
         self.assertFalse((out / "FAILED_RUN.txt").exists() or (out / "failed_run").exists())
         self.assertNotIn("later_run_failed", self.summary())
+
+    def test_what_a_person_typed_into_a_table_is_kept(self):
+        self.run_pipeline()
+        table = self.folder / "o" / "stems.csv"
+        typed = table.read_text().rstrip() + " leans\n"
+        table.write_text(typed)
+        again = self.run_pipeline()
+        self.assertEqual(again.returncode, DONE)
+        self.assertIn("stems.csv was changed after Bole wrote it", again.stderr)
+        self.assertEqual([path.read_text() for path in table.parent.glob("stems.changed-*.csv")], [typed])
+        self.assertNotIn("leans", table.read_text())
+        self.assertIn("changed_file_kept", [finding["code"] for finding in self.summary()["findings"]])
+        self.assertEqual(self.run_pipeline().returncode, DONE)
+        self.assertEqual(len(list(table.parent.glob("stems.changed-*.csv"))), 1)
 
     @staticmethod
     def small_disk():
@@ -297,6 +312,9 @@ class Program(unittest.TestCase):
         told = self.bole("run", "stem_map_from_clod", "--out", self.folder / "o")
         self.assertEqual(told.returncode, BAD_INPUT)
         self.assertIn("Did you mean stem_map_from_cloud", told.stderr)
+        # A misspelt name is told before a missing --out.
+        self.assertIn("Did you mean stem_map_from_cloud", self.bole("run", "stem_map_from_clod").stderr)
+        self.assertIn("bole survey", self.bole("run", self.write("plot.xyz", "1 2 3\n")).stderr)
 
     def test_a_cloud_given_to_run_is_sent_to_survey(self):
         told = self.bole("run", self.write("plot.xyz", "1 2 3\n"), "--out", self.folder / "o")
@@ -312,6 +330,10 @@ class Program(unittest.TestCase):
         told = self.bole("survey", self.write("letter.md", "dear forester"), "--out", self.folder / "o2")
         self.assertEqual(told.returncode, BAD_INPUT)
         self.assertFalse((self.folder / "o2").exists())
+        told = self.bole("survey", self.folder / "gone.ply", "--out", self.folder / "o2")
+        self.assertEqual(told.returncode, BAD_INPUT)
+        self.assertIn("gone.ply", told.stderr)
+        self.assertFalse((self.folder / "o2").exists())
 
     def test_suggestions(self):
         for arguments, meant in (
@@ -319,6 +341,7 @@ class Program(unittest.TestCase):
             (["evaluate", "stem", "a", "b"], "stems"),
             (["run", "p.json", "--ot", "o"], "--out"),
             (["stages", "stems"], "stems.measure"),
+            (["simulate", "--plot", "sampel", "--out", self.folder / "none"], "sample"),
             (["stages", "io.read_clod"], "io.read_cloud"),
             (["run", self.pipeline(), "--out", "o", "--set", "stem.file=x"], "stems"),
             (["run", self.pipeline(), "--out", "o", "--set", "report.figure=x"], "figures"),
@@ -327,6 +350,7 @@ class Program(unittest.TestCase):
                 told = self.bole(*arguments)
                 self.assertEqual(told.returncode, BAD_INPUT)
                 self.assertRegex(told.stderr, "Did you mean.*" + meant)
+        self.assertFalse((self.folder / "none").exists())
 
     def test_pages_of_stages_have_an_example_that_holds(self):
         options = {t["type"]: {o["name"] for o in t["options"]} for t in json.loads(self.bole("stages", "--json").stdout)}
@@ -352,6 +376,15 @@ class Program(unittest.TestCase):
         told = self.bole("run", "~/p.json", "--set", "stems.file=~/trees.csv", "--out=~/o", env={**os.environ, "HOME": str(self.folder)})
         self.assertEqual(told.returncode, DONE, told.stderr)
         self.assertTrue((self.folder / "o" / "stems.csv").exists())
+        self.write("cloud.csv", "x,y,z\n1,2,3\n")
+        self.assertEqual(self.bole("info", "~/cloud.csv", env={**os.environ, "HOME": str(self.folder)}).returncode, DONE)
+
+    def test_info_shows_numbers_for_people_and_findings_first(self):
+        cloud = self.write("cloud.csv", "x,y,z,classification\n-7.9999,2.1,-0.9056,ground\n4,6,8.3,2\n")
+        lines = self.bole("info", cloud).stdout.splitlines()
+        self.assertTrue(lines[1].startswith("note") and "words_for_numbers" in lines[1], lines[1])
+        self.assertIn("bounds                 [-7.9999,2.1,-0.9056,4,6,8.3]", lines)
+        self.assertIn("min_m                  [-7.9999,2.1,-0.9056]", lines)
 
     def test_version(self):
         self.assertRegex(self.bole("--version").stdout, r"^Bole \d+\.\d+")

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/option.h"
+#include "base/user_path.h"
 #include "base/verdict.h"
 #include "cloud/known_facts.h"
 #include "commands.h"
@@ -265,19 +266,45 @@ std::string text_of(const ordered_json& json, int indent = -1) {
   return json.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
 }
 
+// The fewest decimals that give the number as the file has it: 7.9997 for the nearest float, 7.999700069.
+std::string number_for_people(double value) {
+  constexpr int most = 6;
+  const double tolerance = 1e-7 * std::clamp(std::abs(value), 1e-3, 100.0);
+  int decimals = 0;
+  for (double scale = 1; decimals < most && std::abs(std::round(value * scale) / scale - value) > tolerance;
+       scale *= 10)
+    ++decimals;
+  return fmt::format("{:.{}f}", value, decimals);
+}
+
+std::string value_for_people(const ordered_json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_float()) return number_for_people(value.get<double>());
+  if (!value.is_array()) return text_of(value);
+  std::string out;
+  for (const auto& v : value) out += (out.empty() ? "" : ",") + (v.is_string() ? text_of(v) : value_for_people(v));
+  return "[" + out + "]";
+}
+
+// What was found stands first, below the name of the file: the numbers are to be read with it.
 void print_text(const ordered_json& json, int depth = 0) {
+  const auto print_findings = [&json] {
+    if (json.contains("findings"))
+      for (const auto& f : json["findings"])
+        fmt::print("{:<22} {} [{}]\n", f["severity"].get<std::string>(), f["text"].get<std::string>(),
+                   f["code"].get<std::string>());
+  };
+  if (depth == 0 && !json.contains("file")) print_findings();
   for (const auto& [key, value] : json.items()) {
     if (key == "findings") {
-      for (const auto& f : value)
-        fmt::print("{:>{}}{:<22} {} [{}]\n", "", 2 * depth, f["severity"].get<std::string>(),
-                   f["text"].get<std::string>(), f["code"].get<std::string>());
+      continue;
     } else if (value.is_object() && !value.contains("type")) {
       fmt::print("{:>{}}{}\n", "", 2 * depth, key);
       print_text(value, depth + 1);
     } else {
-      fmt::print("{:>{}}{:<22} {}\n", "", 2 * depth, key,
-                 value.is_string() ? value.get<std::string>() : text_of(value));
+      fmt::print("{:>{}}{:<22} {}\n", "", 2 * depth, key, value_for_people(value));
     }
+    if (depth == 0 && key == "file") print_findings();
   }
 }
 
@@ -314,7 +341,8 @@ void add_info(Program& program) {
     if (args->formats) return print_formats(args->json);
     if (args->files.empty()) throw CLI::RequiredError("files");
     ordered_json all = ordered_json::array();
-    for (const auto& file : args->files) {
+    for (const auto& typed : args->files) {
+      const auto file = expand_home(typed);
       try {
         const auto& format = described_format(file);
         const auto* scan = std::get_if<io::ScanAccess>(&format.access);

@@ -15,7 +15,10 @@ void add_run(Program& program) {
   command
       ->add_option("pipeline", args->pipeline,
                    "Pipeline document (JSON), or the name of one that comes with Bole (stem_map_from_cloud)")
-      ->required();
+      ->required()
+      // Before the parser asks for --out: a name that is misspelt matters more.
+      ->check(
+          CLI::Validator([](const std::string& name) { return documents::load_pipeline(name), std::string(); }, ""));
   add_run_flags(*command, *args);
   command->callback([args, &program] { run_document(program, documents::load_pipeline(args->pipeline), *args); });
 }

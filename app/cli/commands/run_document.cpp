@@ -70,8 +70,13 @@ void print_evaluation(const vtkbridge::StageOutcome& outcome) {
   if (!lines.empty()) fmt::print("\nAgainst the reference ({}):\n{}", outcome.record.id, lines);
 }
 
-// "Verdict: look - 3 findings, see report.html", then the findings that decide it. A run without a page (a
-// film) has nothing that a person could sign: it says something only where something was found.
+std::string count_of(std::int64_t n, const char* one, const char* several) {
+  return n == 0 ? std::string() : fmt::format(", {} {}", n, n == 1 ? one : several);
+}
+
+// "Verdict: look - Look before you sign, 3 findings, see report.html" in the words of that page, then the findings that
+// decide it. A run without a page (a film) has nothing that a person could sign: it says something only where something
+// was found.
 void print_verdict(const vtkbridge::RunOutcome& outcome) {
   const auto judgement = vtkbridge::judgement_of(outcome);
   const auto is_sterner = [](const StageFinding& f) { return f.finding.severity != Severity::note; };
@@ -80,9 +85,16 @@ void print_verdict(const vtkbridge::RunOutcome& outcome) {
     return std::ranges::any_of(stage.files, [](const std::string& file) { return file.ends_with("report.html"); });
   });
   if (!has_page && judgement.verdict == Verdict::sign) return;
-  fmt::print("\nVerdict: {}{}{}\n", verdict_name(judgement.verdict),
-             count == 0 ? std::string() : fmt::format(" - {} finding{}", count, count == 1 ? "" : "s"),
-             has_page && !outcome.results.empty() ? fmt::format("{}see report.html", count == 0 ? " - " : ", ") : "");
+  std::int64_t trees = 0;
+  for (const auto& stage : outcome.stages)
+    if (const auto it = stage.record.report.counts.find(trees_to_look_at_count); it != stage.record.report.counts.end())
+      trees += it->second;
+  // Those of the verdict "sign" are in the headline.
+  const auto more = judgement.verdict == Verdict::sign ? 0 : trees;
+  fmt::print("\nVerdict: {} - {}{}{}{}\n", verdict_name(judgement.verdict),
+             verdict_headline(judgement.verdict, static_cast<std::size_t>(trees)),
+             count_of(count, "finding", "findings"), count_of(more, "tree to look at", "trees to look at"),
+             has_page && !outcome.results.empty() ? ", see report.html" : "");
   for (const auto& f : judgement.findings)
     if (is_sterner(f))
       fmt::print("  {:<8} {}{}{}\n", severity_name(f.finding.severity), f.stage, f.stage.empty() ? "" : ": ",
@@ -102,9 +114,11 @@ void print_place(const vtkbridge::RunOutcome& outcome, const std::string& out) {
     return;
   }
   if (outcome.kept_before)
-    fmt::print(stderr,
-               "bole: the run failed. The survey before is still in {}, marked as old; what this run wrote is in {}\n",
-               out, outcome.results.string());
+    fmt::print(stderr, "bole: the run failed. The survey before is still in {}, {}; {}\n", out,
+               outcome.not_marked.empty() ? std::string("marked as old")
+                                          : "but could not be marked as old (" + outcome.not_marked + ")",
+               outcome.results.empty() ? std::string("what this run wrote was removed to make room")
+                                       : "what this run wrote is in " + outcome.results.string());
   else if (!outcome.results.empty())
     fmt::print(stderr, "bole: the run failed. What it wrote, not complete, is in {}\n", outcome.results.string());
   else
@@ -159,6 +173,7 @@ void run_document(Program& program, pipeline::PipelineDocument document, const R
     if (stage.record.type.starts_with("evaluation.")) print_evaluation(stage);
   if (!outcome.stages.empty() && outcome.exit_code != 3) print_verdict(outcome);
   if (!outcome.error.empty() && outcome.exit_code != 3) fmt::print(stderr, "bole: {}\n", outcome.error);
+  for (const auto& text : outcome.kept_changed) fmt::print(stderr, "bole: warning: {}\n", text);
   print_place(outcome, args.out);
   program.exit_code = vtkbridge::program_exit_code(outcome);
 }

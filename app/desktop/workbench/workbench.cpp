@@ -214,6 +214,7 @@ void Workbench::show_outcome(const vtkbridge::RunOutcome& outcome) {
     for (const auto& warning : stage.record.report.warnings)
       tell(QString::fromStdString(stage.record.id + ": " + warning), LogLevel::warning);
   }
+  for (const auto& text : outcome.kept_changed) tell(QString::fromStdString(text), LogLevel::warning);
   visibility_.take(run_->outcome(), run_->results());
   hint(outcome.exit_code == cancelled_code ? tr("Cancelled. What is shown stays as it was.")
        : outcome.error.empty()             ? tr("Done")

@@ -38,25 +38,19 @@ std::string trees_sentence(const LookList& look) {
          (look.rows.size() == 1 ? "needs" : "need") + " a look.";
 }
 
-struct VerdictWords {
-  const char* title;
-  const char* meaning;
-};
-
-VerdictWords words_of(Verdict verdict) {
+const char* meaning_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::sign:
-      return {"Nothing speaks against signing", "No check of this run found a reason to doubt the values as a whole."};
+      return "No check of this run found a reason to doubt the values as a whole.";
     case Verdict::look:
-      return {"Look before you sign", "The values may be right, but these findings must be looked at first:"};
+      return "The values may be right, but these findings must be looked at first:";
     case Verdict::refused:
-      return {"Do not use these values", "The run found that its result is not right:"};
+      return "The run found that its result is not right, or that it cannot be used as it is:";
   }
-  return {"", ""};
+  return "";
 }
 
 std::string verdict_html(const Judgement& judgement, const LookList& look) {
-  const auto words = words_of(judgement.verdict);
   std::string reasons;
   std::size_t notes = 0;
   for (const auto& f : judgement.findings) {
@@ -65,12 +59,9 @@ std::string verdict_html(const Judgement& judgement, const LookList& look) {
     else
       reasons += "<li>" + escaped(typeset(f.finding.text)) + "</li>\n";
   }
-  // Doubtful trees in the plot are to be looked at, whatever the run as a whole is worth.
-  const bool trees_first = judgement.verdict == Verdict::sign && !look.rows.empty();
-  std::string out =
-      "<div class=\"verdict " + std::string(trees_first ? "look" : verdict_name(judgement.verdict)) + "\">\n<h2>" +
-      escaped(trees_first ? "Sign after a look at " + count_of(look.rows.size(), "tree", "trees") : words.title) +
-      "</h2>\n<p>" + escaped(words.meaning) + "</p>\n";
+  std::string out = "<div class=\"verdict " + std::string(verdict_name(judgement.verdict)) + "\">\n<h2>" +
+                    escaped(verdict_headline(judgement.verdict, look.rows.size())) + "</h2>\n<p>" +
+                    escaped(meaning_of(judgement.verdict)) + "</p>\n";
   if (!reasons.empty()) out += "<ul>\n" + reasons + "</ul>\n";
   out += "<p>" + escaped(trees_sentence(look));
   if (notes > 0) out += " <a href=\"#check\">" + count_of(notes, "note", "notes") + "</a> of the stages.";

@@ -9,6 +9,7 @@
 #include "render/draw/axes.h"
 #include "report/core/evaluation_section.h"
 #include "report/core/html.h"
+#include "report/core/look_list.h"
 #include "report/core/overview.h"
 #include "report/core/page_resources.h"
 #include "report/core/plot_section.h"
@@ -113,6 +114,7 @@ std::optional<Judgement> judgement_of(const ReportContent& c, Report& told) {
   stages.push_back({"report", "report.plot", {}, told, false});
   auto judgement = judge(stages);
   told.facts["verdict"] = std::string(verdict_name(judgement.verdict));
+  told.counts[trees_to_look_at_count] = static_cast<std::int64_t>(trees_to_look_at(c.data).rows.size());
   told.counts["notes"] = std::ranges::count_if(
       judgement.findings, [](const StageFinding& f) { return f.finding.severity == Severity::note; });
   return judgement;

@@ -129,8 +129,8 @@ class RowsReport {
       if (strays_ != nullptr && strays_->rows() > 0) layers.push_back(io::point_layer("strays", *strays_, crs));
       io::write_geopackage(path, layers);
     });
-    writer_.write("rows.geojson", [&](const auto& path) { io::write_geojson(path, guidance); });
-    writer_.write("ab_lines.geojson", [&](const auto& path) { io::write_geojson(path, ab); });
+    writer_.write_geojson("rows.geojson", guidance);
+    writer_.write_geojson("ab_lines.geojson", ab);
     if (o_.figures)
       for (const auto& figure : rows_figures(in_, o_.figure_width))
         writer_.attempt(figure.what, [&] { writer_.save(figure.make(), {.dpi = o_.dpi}); });
@@ -150,8 +150,12 @@ class RowsReport {
                                            plants_.rows() - missing.rows(), rows_.rows(), missing.rows(),
                                            strays_ != nullptr ? strays_->rows() : 0));
     page_.paragraphs.emplace_back(
-        "Guidance lines for machines: ab_lines.geojson (from the first end of each row to the last), rows.geojson (the "
-        "course of curved rows, a vertex per metre), and both as layers of rows.gpkg.");
+        fact(rows_, "crs").empty()
+            ? "Guidance lines for machines: the layers of rows.gpkg (A-B lines from the first end of each row to the "
+              "last, and the course of curved rows, a vertex per metre). They are in metres of the plot: its place on "
+              "the earth is not known, so there is no GeoJSON."
+            : "Guidance lines for machines: ab_lines.geojson (from the first end of each row to the last), "
+              "rows.geojson (the course of curved rows, a vertex per metre), and both as layers of rows.gpkg.");
     page_.tables.push_back({"Rows",
                             "Angles to due east with standard errors and 95 % intervals; lengths in metres.",
                             &rows_,

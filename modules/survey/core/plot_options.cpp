@@ -1,74 +1,86 @@
 #include "survey/core/plot_options.h"
 
+#include <fmt/format.h>
+
 #include <vector>
 
 #include "base/angles.h"
 
 namespace bole::survey {
 
+namespace {
+void check_together(const PlotOptions& o);
+}
+
 const OptionTable& option_table(const PlotOptions*) {
   using S = PlotOptions;
-  static const OptionTable table = make_option_table<S>({
-      Option<S, PlotShape>{"shape", &S::shape, Tier::basic,
-                           "Boundary of the plot. auto: a circle where a radius is given, a rectangle where a width, "
-                           "length or bearing is, the polygon where vertices are connected, the usual rectangle where "
-                           "the map lies in plot axes (targets were found), else none."},
-      Option<S, std::optional<double>>{"width",
-                                       &S::width,
-                                       Unit::metre,
-                                       {1, 10000},
-                                       "auto",
-                                       Tier::basic,
-                                       "Extent of a rectangle in x (east; across its bearing), horizontal. auto: the "
-                                       "length, or 32 m where that is open too."},
-      Option<S, std::optional<double>>{"length",
-                                       &S::length,
-                                       Unit::metre,
-                                       {1, 10000},
-                                       "auto",
-                                       Tier::basic,
-                                       "Extent of a rectangle in y (north; along its bearing), horizontal. auto: the "
-                                       "width, or 32 m where that is open too."},
-      Option<S, std::optional<double>>{"radius",
-                                       &S::radius,
-                                       Unit::metre,
-                                       {1, 10000},
-                                       "auto",
-                                       Tier::basic,
-                                       "Radius of a circle, horizontal. auto: 15 m."},
-      Option<S, std::optional<double>>{"x",
-                                       &S::x,
-                                       Unit::metre,
-                                       {-1e8, 1e8},
-                                       "auto",
-                                       Tier::advanced,
-                                       "x of the centre of a rectangle or circle, in the axes of the stems. auto: the "
-                                       "centre target where it was found, else the middle of what was scanned."},
-      Option<S, std::optional<double>>{
-          "y",
-          &S::y,
-          Unit::metre,
-          {-1e8, 1e8},
-          "auto",
-          Tier::advanced,
-          "y of the centre of a rectangle or circle, in the axes of the stems. auto: as x."},
-      Option<S, std::optional<double>>{"bearing",
-                                       &S::bearing_deg,
-                                       Unit::degree,
-                                       {-360, 360},
-                                       "auto",
-                                       Tier::advanced,
-                                       "Direction of a rectangle's length, clockwise from y (north). auto: 0."},
-      Option<S, double>{"min_dbh",
-                        &S::min_dbh_cm,
-                        Unit::centimetre,
-                        {0, 200},
-                        Tier::basic,
-                        "Trees of this diameter at breast height and more count."},
-      OnlyIf{"shape", {"auto", "rectangle"}, {"width", "length", "bearing"}},
-      OnlyIf{"shape", {"auto", "circle"}, {"radius"}},
-      OnlyIf{"shape", {"auto", "rectangle", "circle"}, {"x", "y"}},
-  });
+  static const OptionTable table = make_option_table<S>(
+      {
+          Option<S, PlotShape>{
+              "shape", &S::shape, Tier::basic,
+              "Boundary of the plot. auto: a circle where a radius is given, a rectangle where a width, "
+              "length or bearing is, the polygon where vertices are connected, the usual rectangle where "
+              "the map lies in plot axes (targets were found), else none."},
+          Option<S, std::optional<double>>{
+              "width",
+              &S::width,
+              Unit::metre,
+              {1, 10000},
+              "auto",
+              Tier::basic,
+              "Extent of a rectangle in x (east; across its bearing), horizontal. auto: the "
+              "length, or 32 m where that is open too."},
+          Option<S, std::optional<double>>{
+              "length",
+              &S::length,
+              Unit::metre,
+              {1, 10000},
+              "auto",
+              Tier::basic,
+              "Extent of a rectangle in y (north; along its bearing), horizontal. auto: the "
+              "width, or 32 m where that is open too."},
+          Option<S, std::optional<double>>{"radius",
+                                           &S::radius,
+                                           Unit::metre,
+                                           {1, 10000},
+                                           "auto",
+                                           Tier::basic,
+                                           "Radius of a circle, horizontal. auto: 15 m."},
+          Option<S, std::optional<double>>{
+              "x",
+              &S::x,
+              Unit::metre,
+              {-1e8, 1e8},
+              "auto",
+              Tier::advanced,
+              "x of the centre of a rectangle or circle, in the axes of the stems. auto: the "
+              "centre target where it was found, else the middle of what was scanned."},
+          Option<S, std::optional<double>>{
+              "y",
+              &S::y,
+              Unit::metre,
+              {-1e8, 1e8},
+              "auto",
+              Tier::advanced,
+              "y of the centre of a rectangle or circle, in the axes of the stems. auto: as x."},
+          Option<S, std::optional<double>>{"bearing",
+                                           &S::bearing_deg,
+                                           Unit::degree,
+                                           {-360, 360},
+                                           "auto",
+                                           Tier::advanced,
+                                           "Direction of a rectangle's length, clockwise from y (north). auto: 0."},
+          Option<S, double>{"min_dbh",
+                            &S::min_dbh_cm,
+                            Unit::centimetre,
+                            {0, 200},
+                            Tier::basic,
+                            "Trees of this diameter at breast height and more count."},
+          OnlyIf{"shape", {"auto", "rectangle"}, {"width", "length", "bearing"}},
+          OnlyIf{"shape", {"auto", "circle"}, {"radius"}},
+          OnlyIf{"shape", {"auto", "rectangle", "circle"}, {"x", "y"}},
+      },
+      check_together);
   return table;
 }
 
@@ -130,6 +142,13 @@ void check_effects(const GivenOptions& given, PlotShape shape) {
   refuse(all, shape == PlotShape::polygon ? name + " whose vertices are connected" : "shape is none");
 }
 
+// What contradicts itself whatever was scanned is refused before anything runs.
+void check_together(const PlotOptions& o) {
+  const GivenOptions given(o);
+  if (o.shape != PlotShape::automatic) return check_effects(given, o.shape);
+  if (!given.circle.empty() && !given.rectangle.empty()) chosen_shape(o, given, Axes::unknown, nullptr);
+}
+
 PlotArea polygon_of(const Table* vertices) {
   if (vertices == nullptr)
     throw bad_input("shape is polygon and no vertices are connected", "a table of x_m and y_m",
@@ -173,11 +192,20 @@ PlacedPlot placed_plot(const PlotOptions& o, Axes axes, const Table* vertices, c
   const auto centre = centre_of(o, axes, site, plot.centre);
   if (shape == PlotShape::circle) {
     plot.rule.area = circle_area(centre, o.radius.value_or(usual_plot_radius_m));
+    if (!o.radius) plot.assumed_size = fmt::format("a radius of {} m", usual_plot_radius_m);
   } else {
     const double width = o.width.value_or(o.length.value_or(usual_plot_width_m));
     plot.rule.area = rectangle_area(centre, width, o.length.value_or(width), radians(o.bearing_deg.value_or(0)));
+    if (!o.width && !o.length) plot.assumed_size = fmt::format("{0} m x {0} m", usual_plot_width_m);
   }
   return plot;
+}
+
+std::string assumed_size_remedy(const Table& plot) {
+  const auto it = plot.facts.find(assumed_size_fact);
+  return it == plot.facts.end()
+             ? std::string()
+             : it->second + " is assumed for the plot: set plot.width or plot.radius where it is another. ";
 }
 
 CountingRule counting_rule_for(const PlotOptions& options, Axes axes, const Table* vertices, const PlotSite& site) {

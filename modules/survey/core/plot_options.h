@@ -27,6 +27,11 @@ struct PlotOptions {
 
 inline constexpr double usual_plot_width_m = 32, usual_plot_radius_m = 15;
 
+// The fact of a table of the plot that holds PlacedPlot::assumed_size, and the remedy in words: "32 m x 32 m is assumed
+// for the plot: set plot.width or plot.radius where it is another. "; empty without the fact.
+inline constexpr const char* assumed_size_fact = "assumed_size";
+std::string assumed_size_remedy(const Table& plot);
+
 const OptionTable& option_table(const PlotOptions*);
 
 // Where a plot may be centred that the options do not place, in the axes of the stems.
@@ -37,7 +42,8 @@ struct PlotSite {
 
 struct PlacedPlot {
   CountingRule rule;
-  std::string centre;  // where the centre comes from, in words; empty without a boundary and for a polygon
+  std::string centre;        // where the centre comes from, in words; empty without a boundary and for a polygon
+  std::string assumed_size;  // "32 m x 32 m" where no option gives the size; empty where one does
 };
 
 // What the options ask for. `axes` are those of the stems; `vertices` (columns x_m, y_m, in these axes) make the

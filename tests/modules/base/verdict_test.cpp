@@ -47,5 +47,13 @@ TEST(Verdict, ResultThatEndedEarlyIsNotSignedUnseen) {
   EXPECT_EQ(judged.findings.at(0).finding.code, "finished_early");
 }
 
+TEST(Verdict, TheHeadlineHasTheTreesToLookAt) {
+  EXPECT_EQ(verdict_headline(Verdict::sign), "Nothing speaks against signing");
+  EXPECT_EQ(verdict_headline(Verdict::sign, 1), "Sign after a look at 1 tree");
+  EXPECT_EQ(verdict_headline(Verdict::sign, 2), "Sign after a look at 2 trees");
+  EXPECT_EQ(verdict_headline(Verdict::look, 2), "Look before you sign");
+  EXPECT_EQ(verdict_headline(Verdict::refused), "Do not use these values");
+}
+
 }  // namespace
 }  // namespace bole

@@ -36,6 +36,30 @@ TEST(FirstSight, AStandIsSeenAsItIs) {
   EXPECT_LT(sight.duplicated_share, 0.001);
 }
 
+// Multipath of a scanner: some points a square metre lie up to 3.8 m below the ground.
+TEST(FirstSight, PointsBelowTheGroundChangeNothing) {
+  const auto cloud = stand_cloud();
+  const auto plain = first_sight(cloud);
+  auto positions = cloud.positions();
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> unit;
+  Eigen::AlignedBox3f box;
+  for (const auto& p : cloud.positions()) box.extend(p);
+  const float spread = 3, gap = 0.8F, per_m2 = 4;
+  const auto count = static_cast<int>(per_m2 * box.sizes().x() * box.sizes().y());
+  for (int i = 0; i < count; ++i) {
+    const float x = box.min().x() + box.sizes().x() * unit(random), y = box.min().y() + box.sizes().y() * unit(random);
+    positions.emplace_back(x, y, box.min().z() - gap - spread * unit(random));
+  }
+  PointCloud noisy(std::move(positions));
+  noisy.origin = cloud.origin;
+  const auto sight = first_sight(noisy);
+  EXPECT_EQ(sight.up, 2);
+  EXPECT_NEAR(sight.top_height_m, plain.top_height_m, 0.3);
+  EXPECT_NEAR(sight.stem_diameter_m, plain.stem_diameter_m, 0.02);
+  EXPECT_NEAR(sight.points_per_stem, plain.points_per_stem, 40);
+}
+
 TEST(FirstSight, YOrXUpIsFound) {
   const auto cloud = stand_cloud();
   const auto y = first_sight(mapped(cloud, y_up()));

@@ -222,6 +222,14 @@ TEST(ReadText, ColumnsCanBeSaid) {
   EXPECT_THAT(error_of([&] { read("1 2 3 4 5\n", "a.asc", options); }), HasSubstr("names 7 columns, the file has 5"));
 }
 
+TEST(ReadText, WordsAmongNumbersAreTold) {
+  const auto r = read("x,y,z,classification,height\n1,2,3,ground,4\n4,5,6,vegetation,\n7,8,9,2,nan\n", "a.csv");
+  EXPECT_EQ(r.cloud.size(), 3U);
+  ASSERT_EQ(r.report.findings.size(), 1U);
+  EXPECT_EQ(r.report.findings[0].code, "words_for_numbers");
+  EXPECT_THAT(r.report.findings[0].text, HasSubstr("'classification' holds words in 2 lines (the first: 'ground')"));
+}
+
 TEST(ReadText, BadLinesAreCountedAndTheFirstIsNamed) {
   const auto r = read("x y z\n1 2 3\n4 5\nfoo bar baz\n7 8 9\n10 11 12\n", "a.xyz");
   EXPECT_EQ(r.cloud.size(), 3U);

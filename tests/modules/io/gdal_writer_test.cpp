@@ -234,5 +234,10 @@ TEST_F(GdalWriter, GeoJsonIsInLongitudeAndLatitude) {
   EXPECT_THAT(text.str(), testing::ContainsRegex("coordinates\": \\[ 9.0000[0-9]*, 48.1"));
 }
 
+TEST_F(GdalWriter, MetresOfAPlotAreNotWrittenAsGeoJson) {
+  EXPECT_THROW(write_geojson(folder_ / "stems.geojson", point_layer("stems", stems(), "")), Error);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "stems.geojson"));
+}
+
 }  // namespace
 }  // namespace bole::io

@@ -92,6 +92,16 @@ TEST(SeeCloud, FeetAreDoubtedUnlessTheUnitIsSet) {
   EXPECT_THAT(codes(look(feet, options)), testing::Not(testing::Contains("unit_suspect")));
 }
 
+// Heights in centimetres over a plan in metres are no feet.
+TEST(SeeCloud, CentimetresOfHeightAreNotTakenForFeet) {
+  const auto seen = look(mapped(stand_cloud(), Eigen::Vector3d(1, 1, 100).asDiagonal()));
+  const auto& findings = seen.reading.report.findings;
+  const auto unit = std::ranges::find(findings, "unit_suspect", &Finding::code);
+  ASSERT_NE(unit, findings.end());
+  EXPECT_THAT(unit->text, HasSubstr("z looks like centimetres"));
+  EXPECT_THAT(unit->text, testing::Not(HasSubstr("unit=foot")));
+}
+
 TEST(SeeCloud, ACrsInFeetGivesMetres) {
   auto cloud = mapped(stand_cloud(), Eigen::Matrix3d::Identity() / 0.3048);
   cloud.axes = Axes::global;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -128,10 +129,24 @@ TEST_F(ResultFolders, AFolderInTheWayIsRefused) {
   fs::create_directories(dir_ / "stems.csv");
   EXPECT_THROW(run({"stems.csv"}, "one"), Error);
   ResultFolder forced(dir_, true);
-  forced.refuse_foreign_files(true);
+  EXPECT_THROW(forced.refuse_foreign_files(true), Error);
   write_survey(forced.draft(), {"stems.csv"}, "one");
   EXPECT_THROW(forced.publish({}), Error);  // not even then: who knows what is in it
   EXPECT_TRUE(fs::is_directory(dir_ / "stems.csv"));
+}
+
+TEST_F(ResultFolders, AFolderInTheWayIsFoundBeforeTheRun) {
+  fs::create_directories(dir_ / "stems.csv");
+  for (const bool force : {false, true}) EXPECT_THROW(ResultFolder(dir_, force).refuse_foreign_files(true), Error);
+  EXPECT_NO_THROW(ResultFolder(dir_, true).refuse_foreign_files(false));
+}
+
+TEST_F(ResultFolders, AFolderThatWasMadeForNothingGoes) {
+  { const ResultFolder folder(dir_); }
+  EXPECT_FALSE(fs::exists(dir_));
+  fs::create_directories(dir_);
+  { const ResultFolder folder(dir_); }
+  EXPECT_TRUE(fs::exists(dir_));
 }
 
 TEST_F(ResultFolders, FilesThatNeedNotBeWrittenAgainAreKept) {
@@ -159,6 +174,80 @@ TEST_F(ResultFolders, AFailedRunLeavesTheSurveyBeforeMarkedAsOld) {
 
   run({"stems.csv"}, "three");  // and the marks go with the next success
   EXPECT_EQ(names(), (std::set<std::string>{"stems.csv", "summary.json"}));
+}
+
+TEST_F(ResultFolders, ThePagesOfAnOldSurveySaySoOnce) {
+  const std::string page = "<!DOCTYPE html>\n<html>\n<body>\n<main>ready to sign</main></body></html>\n";
+  run({"report.html", "check.html", "stems.csv"}, page);
+  put(dir_, "notes.html", page);                // foreign
+  put(dir_, "check.html", "a page of mine\n");  // no page of Bole any more
+  for (const char* why : {"the disk is full", "<no> such file"}) {
+    ResultFolder folder(dir_);
+    write_survey(folder.draft(), {}, "", 1);
+    const auto old = folder.keep_survey_before(why);
+    EXPECT_EQ(old.not_marked, "");
+    EXPECT_TRUE(old.results_kept);
+  }
+  const auto marked = contents(dir_ / "report.html");
+  const auto at = marked.find("Do not sign: a later run into this folder failed");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_LT(at, marked.find("ready to sign"));
+  EXPECT_EQ(marked.find("Do not sign", at + 1), std::string::npos);
+  EXPECT_THAT(marked, HasSubstr("&lt;no&gt; such file"));
+  EXPECT_THAT(marked, testing::Not(HasSubstr("the disk is full")));
+  EXPECT_EQ(contents(dir_ / "notes.html"), page);
+  EXPECT_EQ(contents(dir_ / "check.html"), "a page of mine\n");
+  EXPECT_EQ(contents(dir_ / "stems.csv"), page);
+
+  run({"stems.csv"}, "two", {"report.html"});  // a page that is kept is current again
+  EXPECT_EQ(contents(dir_ / "report.html"), page);
+}
+
+TEST_F(ResultFolders, WhatCannotBeMarkedAsOldIsNamed) {
+  run({"report.html"}, "<!DOCTYPE html>\n<html>\n<body>\n</body></html>\n");
+  fs::create_directory(dir_ / "FAILED_RUN.txt");
+  ResultFolder folder(dir_);
+  write_survey(folder.draft(), {"stems.csv"}, "two", 1);
+  const auto old = folder.keep_survey_before("no such file");
+  EXPECT_THAT(old.not_marked, testing::AllOf(HasSubstr("FAILED_RUN.txt"), testing::Not(HasSubstr("report.html"))));
+  EXPECT_FALSE(old.results_kept);
+  EXPECT_FALSE(fs::exists(dir_ / "failed_run"));
+}
+
+TEST_F(ResultFolders, AChangedResultIsKeptUnderAnotherName) {
+  run({"stems.csv", "report.html", "figures/a.csv"}, "one");
+  put(dir_, "stems.csv", "one, and a remark");
+  put(dir_, "figures/a.csv", "two");  // of the same size
+  for (int again = 0; again < 2; ++again) {
+    ResultFolder folder(dir_);
+    folder.refuse_foreign_files(true);
+    write_survey(folder.draft(), {"stems.csv", "report.html"}, "one");
+    const auto told = folder.publish({});
+    EXPECT_EQ(told.size(), again == 0 ? 2u : 0u);
+    if (again == 0) {
+      EXPECT_THAT(told[1], HasSubstr("stems.csv was changed"));
+      const auto summary = nlohmann::json::parse(contents(dir_ / "summary.json"));
+      EXPECT_EQ(summary["findings"][1]["code"], "changed_file_kept");
+      EXPECT_EQ(summary["verdict"], "sign");
+    }
+  }
+  EXPECT_EQ(contents(dir_ / "stems.csv"), "one");
+  std::map<std::string, std::string> copies;
+  for (const auto& name : names())
+    if (const auto at = name.find(".changed-"); at != std::string::npos)
+      copies[name.substr(0, at) + fs::path(name).extension().string()] = contents(dir_ / name);
+  EXPECT_EQ(copies, (std::map<std::string, std::string>{{"figures/a.csv", "two"}, {"stems.csv", "one, and a remark"}}));
+}
+
+TEST_F(ResultFolders, AMarkedPageIsNoChangedResult) {
+  run({"report.html"}, "<!DOCTYPE html>\n<html>\n<body>\n</body></html>\n");
+  {
+    ResultFolder folder(dir_);
+    write_survey(folder.draft(), {}, "", 1);
+    folder.keep_survey_before("no such file");
+  }
+  run({"report.html"}, "two");
+  EXPECT_EQ(names(), (std::set<std::string>{"report.html", "summary.json"}));
 }
 
 TEST_F(ResultFolders, AFailedRunIsNoSurvey) {

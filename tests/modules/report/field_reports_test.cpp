@@ -53,13 +53,21 @@ using Numbers = std::vector<double>;
 using Integers = std::vector<std::int64_t>;
 using Texts = std::vector<std::string>;
 
-TEST(RowsReport, WritesDrawnRowsEditsAndThePage) {
-  Folder folder;
+constexpr const char* utm32 =
+    "PROJCS[\"WGS 84 / UTM zone 32N\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS "
+    "84\",6378137,298.257223563]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],"
+    "PROJECTION[\"Transverse_Mercator\"],PARAMETER[\"latitude_of_origin\",0],PARAMETER[\"central_meridian\",9],"
+    "PARAMETER[\"scale_factor\",0.9996],PARAMETER[\"false_easting\",500000],PARAMETER[\"false_northing\",0],"
+    "UNIT[\"metre\",1]]";
+
+DataSet drawn_rows(const std::string& crs) {
   DataSet in;
-  in.set("rows",
-         table(std::pair("row_id", Integers{1, 2}), std::pair("angle_deg", Numbers{0, 90}),
-               std::pair("x0_m", Numbers{0, 3}), std::pair("y0_m", Numbers{0, 5}), std::pair("x1_m", Numbers{4, 3}),
-               std::pair("y1_m", Numbers{0, 9}), std::pair("plants", Integers{2, 0})));
+  auto rows =
+      table(std::pair("row_id", Integers{1, 2}), std::pair("angle_deg", Numbers{0, 90}),
+            std::pair("x0_m", Numbers{0, 3}), std::pair("y0_m", Numbers{0, 5}), std::pair("x1_m", Numbers{4, 3}),
+            std::pair("y1_m", Numbers{0, 9}), std::pair("plants", Integers{2, 0}));
+  if (!crs.empty()) rows.facts["crs"] = crs;
+  in.set("rows", std::move(rows));
   in.set("plants",
          table(std::pair("row_id", Integers{1, 1, 1}), std::pair("number", Integers{1, 2, 3}),
                std::pair("x_m", Numbers{0, 2, 4}), std::pair("y_m", Numbers{0, 0, 0}),
@@ -70,6 +78,12 @@ TEST(RowsReport, WritesDrawnRowsEditsAndThePage) {
                         std::pair("row_id", Texts{"2"}), std::pair("outcome", Texts{"applied"}),
                         std::pair("message", Texts{""}), std::pair("author", Texts{"A. Smith"}),
                         std::pair("time", Texts{""}), std::pair("reason", Texts{"<seen>"})));
+  return in;
+}
+
+TEST(RowsReport, WritesDrawnRowsEditsAndThePage) {
+  Folder folder;
+  const auto in = drawn_rows(utm32);
   RowsReportOptions options;
   options.figures = false;
   const auto result = write_rows_report(in, options, folder.run);
@@ -83,6 +97,22 @@ TEST(RowsReport, WritesDrawnRowsEditsAndThePage) {
   EXPECT_THAT(page, HasSubstr("A. Smith"));
   EXPECT_THAT(page, HasSubstr("&lt;seen&gt;"));
   EXPECT_THAT(page, HasSubstr("rows: planted too unevenly to tell missing plants"));
+  EXPECT_THAT(page, HasSubstr("rows.geojson"));
+}
+
+// A GIS reads metres of a plot as degrees near 0 E 0 N.
+TEST(RowsReport, WithoutAPlaceOnTheEarthThereIsNoGeoJson) {
+  Folder folder;
+  RowsReportOptions options;
+  options.figures = false;
+  const auto result = write_rows_report(drawn_rows(""), options, folder.run);
+  for (const char* name : {"rows.geojson", "ab_lines.geojson"}) {
+    EXPECT_FALSE(fs::exists(folder.run.output_dir / name)) << name;
+    EXPECT_THAT(result.report.facts.at(name), HasSubstr("not written"));
+  }
+  EXPECT_TRUE(fs::exists(folder.run.output_dir / "rows.gpkg"));
+  EXPECT_THAT(result.report.message, HasSubstr("no GeoJSON"));
+  EXPECT_THAT(text_of(folder.run.output_dir / "report.html"), HasSubstr("there is no GeoJSON"));
 }
 
 // A frame of two rows of three tubes on a floor.
@@ -180,6 +210,21 @@ TEST(SteeringReport, ShowsCentimetresAndLeavesOutWhatIsNotKnown) {
   EXPECT_THAT(page, Not(HasSubstr("Published")));
   EXPECT_THAT(page, HasSubstr("rows: planted too unevenly to tell missing plants"));  // whichever stage it was
   EXPECT_THROW(write_steering_report(DataSet(), options, folder.run), Error);
+}
+
+TEST(SteeringReport, LinesInMetresOfAFieldAreNoGeoJson) {
+  for (const bool placed : {false, true}) {
+    Folder folder;
+    auto lines = table(std::pair("line", Integers{0}), std::pair("a_x_m", Numbers{500000}),
+                       std::pair("a_y_m", Numbers{5334000}), std::pair("b_x_m", Numbers{500100}),
+                       std::pair("b_y_m", Numbers{5334000}), std::pair("length_m", Numbers{100}));
+    if (placed) lines.facts["crs"] = utm32;
+    DataSet in;
+    in.set("lines", std::move(lines));
+    const auto result = write_steering_report(in, SteeringReportOptions(), folder.run);
+    EXPECT_EQ(fs::exists(folder.run.output_dir / "ab_lines.geojson"), placed);
+    EXPECT_EQ(result.report.facts.contains("ab_lines.geojson"), !placed);
+  }
 }
 
 TEST(SteeringReport, PublishedFiguresStandInTheSameTable) {

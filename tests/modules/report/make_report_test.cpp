@@ -200,7 +200,7 @@ TEST_F(MakeReport, BeginsWithWhatWasSurveyedAndTheVerdict) {
   EXPECT_THAT(first, HasSubstr("<dd>Sensor X</dd>"));
   EXPECT_THAT(first, HasSubstr("day not named in the data"));
   EXPECT_THAT(first, HasSubstr("32 m × 32 m, stems from 7.5 cm DBH"));
-  EXPECT_THAT(first, HasSubstr("<h2>Sign after a look at "));
+  EXPECT_THAT(first, HasSubstr("<div class=\"verdict sign\">\n<h2>Sign after a look at "));
   EXPECT_THAT(first, HasSubstr("Basal area"));
   EXPECT_THAT(first, HasSubstr("<svg class=\"plan\""));
   EXPECT_THAT(first, HasSubstr("<use href=\"#slice-"));

@@ -8,6 +8,7 @@
 #include "base/verdict.h"
 #include "cloud/known_facts.h"
 #include "modules/survey/check_plot.h"
+#include "survey/core/plot_options.h"
 
 namespace bole::survey {
 namespace {
@@ -66,6 +67,18 @@ TEST(CheckSurvey, AMissingQuarterSaysWalkAgain) {
   PlotSpoil spoil;
   spoil.no_ground = [](double x, double y) { return x > 0 && y > 0; };
   EXPECT_EQ(verdict(checked(PlotMaker(5, spoil).make())), "walk again");
+}
+
+TEST(CheckSurvey, AnAssumedSizeIsTheFirstThingToCheck) {
+  PlotSpoil spoil;
+  spoil.no_ground = [](double x, double y) { return x > 0 && y > 0; };
+  auto plot = PlotMaker(5, spoil).make();
+  plot.plot.facts[assumed_size_fact] = "20 m x 20 m";
+  const auto check = checked(plot);
+  auto row = row_of(check, "plot_partly_empty");
+  if (!row) row = row_of(check, "ground_never_seen");
+  ASSERT_TRUE(row);
+  EXPECT_TRUE(check.findings.texts("text")[*row].starts_with("20 m x 20 m is assumed for the plot: set plot.width"));
 }
 
 TEST(CheckSurvey, ALaneThatWasNotWalkedIsFound) {

@@ -19,6 +19,27 @@ TEST(PlotOptions, AutoTakesNoPlotOutsidePlotAxes) {
     EXPECT_EQ(counting_rule_for(o, axes, nullptr).area.shape, Shape::none);
 }
 
+TEST(PlotOptions, ASizeThatNobodyGaveIsAssumed) {
+  PlotOptions o;
+  EXPECT_EQ(placed_plot(o, Axes::plot, nullptr).assumed_size, "32 m x 32 m");
+  o.shape = PlotShape::circle;
+  EXPECT_EQ(placed_plot(o, Axes::plot, nullptr).assumed_size, "a radius of 15 m");
+  o.radius = 15;
+  EXPECT_EQ(placed_plot(o, Axes::plot, nullptr).assumed_size, "");
+  o = {};
+  o.length = 20;
+  EXPECT_EQ(placed_plot(o, Axes::plot, nullptr).assumed_size, "");
+  EXPECT_EQ(placed_plot({}, Axes::map, nullptr).assumed_size, "");
+}
+
+TEST(PlotOptions, ContradictionsAreFoundBeforeARun) {
+  OptionSet options(option_table(static_cast<const PlotOptions*>(nullptr)));
+  options.set_text("radius", "4");
+  options.check_all();
+  options.set_text("width", "3");
+  EXPECT_THROW(options.check_all(), Error);
+}
+
 TEST(PlotOptions, WhatIsAskedForHoldsInAllAxes) {
   PlotOptions o;
   o.shape = PlotShape::rectangle, o.width = 10, o.length = 20, o.x = 100, o.bearing_deg = 90, o.min_dbh_cm = 5;

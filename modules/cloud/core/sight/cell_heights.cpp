@@ -20,15 +20,31 @@ std::pair<int, int> place(std::uint64_t key) {
   return {static_cast<int>(static_cast<std::uint32_t>(key >> 32)), static_cast<int>(static_cast<std::uint32_t>(key))};
 }
 
+// The first of `z`, sorted from the outside inwards, that has enough others of the cell behind it.
+float first_not_stray(const std::vector<float>& z) {
+  constexpr float near_m = 0.3F;
+  constexpr double few = 0.02;
+  const auto count = z.size();
+  const auto needed = static_cast<std::size_t>(few * static_cast<double>(count));
+  for (std::size_t i = 0; i + needed < count; ++i)
+    if (std::abs(z[i + needed] - z[i]) < near_m) return z[i];
+  return z[0];
+}
+
 }  // namespace
 
 CellHeights::CellHeights(const std::vector<Eigen::Vector3f>& points, double cell_m) : cell_m_(cell_m) {
-  for (const auto& p : points) {
-    auto& cell = cells_[key(index(p.x()), index(p.y()))];
-    cell.low = std::min(cell.low, p.z());
-    cell.high = std::max(cell.high, p.z());
-    ++cell.count;
+  std::unordered_map<std::uint64_t, std::vector<float>> heights;
+  for (const auto& p : points) heights[key(index(p.x()), index(p.y()))].push_back(p.z());
+  std::vector<double> counts;
+  for (auto& [k, z] : heights) {
+    std::ranges::sort(z);
+    counts.push_back(static_cast<double>(z.size()));
+    cells_[k] = {first_not_stray(z), first_not_stray(std::vector<float>(z.rbegin(), z.rend())),
+                 static_cast<std::uint32_t>(z.size())};
   }
+  constexpr double hardly_any = 0.02;
+  if (!counts.empty()) min_count_ = hardly_any * upper_median(std::move(counts));
 }
 
 int CellHeights::index(double v) const { return static_cast<int>(std::floor(std::clamp(v / cell_m_, -1e9, 1e9))); }
@@ -42,7 +58,8 @@ float CellHeights::low_around(double x, double y, int cells) const {
   float low = std::numeric_limits<float>::infinity();
   for (int dy = -cells; dy <= cells; ++dy)
     for (int dx = -cells; dx <= cells; ++dx)
-      if (const auto* c = find(index(x) + dx, index(y) + dy)) low = std::min(low, c->low);
+      if (const auto* c = find(index(x) + dx, index(y) + dy); c != nullptr && c->count >= min_count_)
+        low = std::min(low, c->low);
   return std::isinf(low) ? std::numeric_limits<float>::quiet_NaN() : low;
 }
 
@@ -50,7 +67,8 @@ double CellHeights::ground_around(double x, double y, int cells) const {
   std::vector<double> lows;
   for (int dy = -cells; dy <= cells; ++dy)
     for (int dx = -cells; dx <= cells; ++dx)
-      if (const auto* c = find(index(x) + dx, index(y) + dy)) lows.push_back(static_cast<double>(c->low));
+      if (const auto* c = find(index(x) + dx, index(y) + dy); c != nullptr && c->count >= min_count_)
+        lows.push_back(static_cast<double>(c->low));
   return upper_median(std::move(lows));
 }
 

@@ -1,4 +1,6 @@
-// Lowest and highest points per square cell of the plan.
+// Lowest and highest points per square cell of the plan. Stray points below the ground and above the crowns do not
+// count: a fiftieth of the cell lies within 0.3 m behind the point that does. Cells with next to no points are stray as
+// a whole.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +21,7 @@ class CellHeights {
   std::size_t size() const { return cells_.size(); }
   double area_m2() const { return static_cast<double>(size()) * cell_m_ * cell_m_; }
 
-  // The lowest point of the cells around a place. NaN where there are none.
+  // The lowest of the cells around a place. NaN where there are none, or stray points only.
   float low_around(double x, double y, int cells) const;
 
   // The median of the lowest points of the cells around, so that a stray point below does not count.
@@ -38,6 +40,7 @@ class CellHeights {
   const Cell* find(int ix, int iy) const;
 
   double cell_m_;
+  double min_count_ = 0;  // points of a cell that counts
   std::unordered_map<std::uint64_t, Cell> cells_;
 };
 

@@ -124,12 +124,26 @@ void judge_size(const FirstSight& sight, const SeeCloudOptions& options, Report&
   const bool thick = sight.stems >= min_stems && sight.stem_diameter_m > thick_m;
   const bool both = sight.top_height_m > 0.8 * tall_m && sight.stem_diameter_m > 0.8 * thick_m;
   if (!tall && !thick && !both) return;
-  report.find(Severity::look, "unit_suspect",
-              fmt::format("the trees are {:.0f} m tall{}: the unit looks like feet. Set unit=foot, or unit=metre where "
-                          "the stand is that tall",
-                          sight.top_height_m,
-                          sight.stems > 0 ? fmt::format(" and their stems {:.0f} cm thick", 100 * sight.stem_diameter_m)
-                                          : std::string()));
+  const auto stems =
+      sight.stems > 0 ? fmt::format(" and their stems {:.0f} cm thick", 100 * sight.stem_diameter_m) : std::string();
+  // The tallest tree on earth, in feet, and the least slenderness of trees whose crowns were scanned.
+  constexpr double tallest_ft = 400, stout = 15;
+  if (sight.top_height_m > tallest_ft)
+    report.find(Severity::look, "unit_suspect",
+                fmt::format("the cloud is {:.0f} m high over {:.0f} m x {:.0f} m: no tree is that tall, in feet "
+                            "neither. z looks like centimetres or millimetres where x and y are metres, or points lie "
+                            "far above the stand. Give x, y and z in the same unit",
+                            sight.top_height_m, sight.extent_m.x(), sight.extent_m.y()));
+  else if (!tall && !both && sight.top_height_m < stout * sight.stem_diameter_m)
+    report.find(Severity::look, "unit_suspect",
+                fmt::format("the trees are {:.0f} m tall{}: they are too stout for trees in any unit. Points below the "
+                            "ground, or a cloud without crowns, look so. Set unit where it is not metres",
+                            sight.top_height_m, stems));
+  else
+    report.find(Severity::look, "unit_suspect",
+                fmt::format("the trees are {:.0f} m tall{}: the unit looks like feet. Set unit=foot, or unit=metre "
+                            "where the stand is that tall",
+                            sight.top_height_m, stems));
 }
 
 std::string stems_along(const FirstSight& sight) {

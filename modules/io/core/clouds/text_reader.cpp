@@ -298,6 +298,38 @@ void refuse_more_fields(const std::vector<std::string_view>& words, const Layout
                          : "Name the columns with the option columns");
 }
 
+// Words in columns of numbers: "ground" in a column of classes.
+class Words {
+ public:
+  explicit Words(std::size_t columns) : seen_(columns) {}
+
+  void add(std::size_t column, std::string_view word) {
+    if (word.empty() || word == "-" || word == "NA" || word == "null") return;  // no value, in the usual ways
+    auto& seen = seen_[column];
+    if (seen.lines++ == 0) seen.first = word.substr(0, 40);
+  }
+
+  void note(const std::vector<SourceField>& fields, Report& report) const {
+    for (std::size_t i = 0; i < seen_.size(); ++i) {
+      const auto name = array_name(fields[i].name);
+      if (seen_[i].lines == 0 || fields[i].name == "_" || name == "x" || name == "y" || name == "z") continue;
+      report.find(Severity::note, "words_for_numbers",
+                  "the column '" + name + "' holds words in " + std::to_string(seen_[i].lines) +
+                      " lines (the first: '" + seen_[i].first +
+                      "'): they count as no value, 0 in a column of whole "
+                      "numbers. Write numbers" +
+                      (name == "classification" ? " (2 is ground, 5 is high vegetation)" : ""));
+    }
+  }
+
+ private:
+  struct Seen {
+    std::size_t lines = 0;
+    std::string first;
+  };
+  std::vector<Seen> seen_;
+};
+
 }  // namespace
 
 bool holds_text_points(Bytes file) {
@@ -320,6 +352,7 @@ CloudReading read_text_cloud(Bytes file, const CloudReadOptions& options, const 
   std::string_view line;
   std::vector<std::string_view> words;
   std::vector<double> row(layout.fields.size());
+  Words texts(row.size());
   std::size_t good = 0, bad = 0, first_bad = 0;
   while (lines.next(line)) {
     if (lines.number() % lines_between_polls == 0) {
@@ -344,6 +377,9 @@ CloudReading read_text_cloud(Bytes file, const CloudReadOptions& options, const 
       continue;
     }
     ++good;
+    if (numeric < row.size())
+      for (std::size_t i = 0; i < row.size(); ++i)
+        if (std::isnan(row[i]) && !number(words[i], layout.dialect, row[i])) texts.add(i, words[i]);
     builder.add(row);
   }
   if (bad > good)
@@ -355,6 +391,7 @@ CloudReading read_text_cloud(Bytes file, const CloudReadOptions& options, const 
   if (bad > 0)
     out.report.warn(std::to_string(bad) + " lines without " + std::to_string(row.size()) +
                     " numbers were skipped; the first is line " + std::to_string(first_bad));
+  texts.note(layout.fields, out.report);
   if (layout.declared) note_declared(*layout.declared, good + bad, out.report);
   out.report.facts["format"] = "text";
   std::string columns;

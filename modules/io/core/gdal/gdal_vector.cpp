@@ -221,25 +221,27 @@ void write_geopackage(const std::filesystem::path& path, const std::vector<Vecto
 
 void write_geojson(const std::filesystem::path& path, const VectorLayer& layer) {
   check(layer);
+  if (layer.crs_wkt.empty())
+    throw bad_input(fmt::format("the place of layer '{}' on the earth is not known, and GeoJSON holds longitude and "
+                                "latitude",
+                                layer.name),
+                    "a coordinate reference system");
   VectorLayer out = layer;
-  if (!layer.crs_wkt.empty()) {
-    OGRSpatialReference from, to;
-    from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    const gdal::Errors errors;
-    if (from.importFromWkt(layer.crs_wkt.c_str()) != OGRERR_NONE || to.importFromEPSG(4326) != OGRERR_NONE)
-      throw bad_input(
-          fmt::format("the coordinate reference system of layer '{}' is not WKT that PROJ knows", layer.name),
-          "WKT 1 or 2");
-    const std::unique_ptr<OGRCoordinateTransformation, void (*)(OGRCoordinateTransformation*)> transformation(
-        OGRCreateCoordinateTransformation(&from, &to), OGRCoordinateTransformation::DestroyCT);
-    require_layer(transformation != nullptr, errors, layer, "finding the transformation to longitude and latitude");
-    for (auto& shape : out.shapes)
-      for (auto& v : shape)
-        require_layer(transformation->Transform(1, &v.x(), &v.y()) != FALSE && v.allFinite(), errors, layer,
-                      "transforming a coordinate to longitude and latitude");
-    out.crs_wkt.clear();
-  }
+  OGRSpatialReference from, to;
+  from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  const gdal::Errors errors;
+  if (from.importFromWkt(layer.crs_wkt.c_str()) != OGRERR_NONE || to.importFromEPSG(4326) != OGRERR_NONE)
+    throw bad_input(fmt::format("the coordinate reference system of layer '{}' is not WKT that PROJ knows", layer.name),
+                    "WKT 1 or 2");
+  const std::unique_ptr<OGRCoordinateTransformation, void (*)(OGRCoordinateTransformation*)> transformation(
+      OGRCreateCoordinateTransformation(&from, &to), OGRCoordinateTransformation::DestroyCT);
+  require_layer(transformation != nullptr, errors, layer, "finding the transformation to longitude and latitude");
+  for (auto& shape : out.shapes)
+    for (auto& v : shape)
+      require_layer(transformation->Transform(1, &v.x(), &v.y()) != FALSE && v.allFinite(), errors, layer,
+                    "transforming a coordinate to longitude and latitude");
+  out.crs_wkt.clear();
   write_vector(path, "GeoJSON", {out});
 }
 

@@ -51,7 +51,7 @@ VectorLayer point_layer(std::string name, const Table& table, const std::string&
 void write_geopackage(const std::filesystem::path& path, const std::vector<VectorLayer>& layers);
 
 // Writes one layer as GeoJSON. With a CRS the coordinates are transformed to longitude and latitude, the only ones of
-// GeoJSON. Without one they are written as they are, which other programs take for degrees.
+// GeoJSON. Throws Error{bad_input} without one: other programs would take metres for degrees.
 void write_geojson(const std::filesystem::path& path, const VectorLayer& layer);
 
 }  // namespace bole::io

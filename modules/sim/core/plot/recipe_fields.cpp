@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "base/error.h"
+#include "base/option_text.h"
 #include "base/resources.h"
 
 namespace bole::sim {
@@ -104,7 +105,7 @@ std::filesystem::path find_recipe(const std::string& folder, const std::string& 
   const auto names = recipe_names(folder);
   if (std::ranges::find(names, name_or_path) == names.end())
     throw bad_input("there is no recipe '" + name_or_path + "' in resources/" + folder,
-                    "one of " + list_of(names) + ", or the path of a recipe file");
+                    "one of " + list_of(names) + ", or the path of a recipe file", did_you_mean(name_or_path, names));
   return resource_path(folder + "/" + name_or_path + ".json");
 }
 

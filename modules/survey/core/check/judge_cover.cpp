@@ -7,6 +7,7 @@
 #include "base/groups.h"
 #include "base/statistics.h"
 #include "survey/core/check/judge_map.h"
+#include "survey/core/plot_options.h"
 #include "survey/core/revisit/stand_hull.h"
 
 namespace bole::survey {
@@ -104,9 +105,10 @@ class Cover {
     constexpr double mostly_empty_pct = 10;
     const bool same = share_pct(empty) > mostly_empty_pct;
     out_.add(again ? Severity::refused : Severity::look, same ? "plot_partly_empty" : "ground_never_seen",
-             fmt::format("the ground of {:.1f} % of the {} was never seen ({:.1f} % hold no point at all); the largest "
-                         "hole has {:.0f} m2. Terrain, heights and stems are guesses there",
-                         share, grid_.bounded ? "plot" : "surveyed area", share_pct(empty), hole.area_m2),
+             fmt::format("{}the ground of {:.1f} % of the {} was never seen ({:.1f} % hold no point at all); the "
+                         "largest hole has {:.0f} m2. Terrain, heights and stems are guesses there",
+                         map_.in.plot != nullptr ? assumed_size_remedy(*map_.in.plot) : std::string(), share,
+                         grid_.bounded ? "plot" : "surveyed area", share_pct(empty), hole.area_m2),
              hole.at);
   }
 
