@@ -260,6 +260,16 @@ class Program(unittest.TestCase):
         self.assertNotIn("Results are in", told.stdout)
         self.assertIn("Verdict: refused", told.stdout)
 
+    def test_what_a_full_disk_keeps_from_being_marked_is_named(self):
+        self.run_pipeline("--no-cache")
+        page = self.folder / "o" / "report.html"
+        self.assertGreater(page.stat().st_size, 20_000)
+        told = self.run_pipeline("--no-cache", preexec_fn=self.small_disk)
+        self.assertEqual(told.returncode, FAILED, told.stdout + told.stderr)
+        self.assertRegex(told.stderr, r"could not be marked as old \(.*report\.html: ")
+        self.assertNotIn("Do not sign", page.read_text())
+        self.assertFalse((self.folder / "o" / "failed_run").exists())
+
     def test_a_table_that_no_output_can_be_made_of_is_bad_input(self):
         pipeline = self.pipeline()
         self.write("trees.csv", "tree_id,x_m\n1,5\n")

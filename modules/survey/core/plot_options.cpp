@@ -205,7 +205,7 @@ std::string assumed_size_remedy(const Table& plot) {
   const auto it = plot.facts.find(assumed_size_fact);
   return it == plot.facts.end()
              ? std::string()
-             : it->second + " is assumed for the plot: set plot.width or plot.radius where it is another. ";
+             : it->second + " is assumed for the plot (set plot.width or plot.radius where it is another): ";
 }
 
 CountingRule counting_rule_for(const PlotOptions& options, Axes axes, const Table* vertices, const PlotSite& site) {

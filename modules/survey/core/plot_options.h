@@ -28,7 +28,7 @@ struct PlotOptions {
 inline constexpr double usual_plot_width_m = 32, usual_plot_radius_m = 15;
 
 // The fact of a table of the plot that holds PlacedPlot::assumed_size, and the remedy in words: "32 m x 32 m is assumed
-// for the plot: set plot.width or plot.radius where it is another. "; empty without the fact.
+// for the plot (set plot.width or plot.radius where it is another): "; empty without the fact.
 inline constexpr const char* assumed_size_fact = "assumed_size";
 std::string assumed_size_remedy(const Table& plot);
 

@@ -78,7 +78,7 @@ TEST(CheckSurvey, AnAssumedSizeIsTheFirstThingToCheck) {
   auto row = row_of(check, "plot_partly_empty");
   if (!row) row = row_of(check, "ground_never_seen");
   ASSERT_TRUE(row);
-  EXPECT_TRUE(check.findings.texts("text")[*row].starts_with("20 m x 20 m is assumed for the plot: set plot.width"));
+  EXPECT_TRUE(check.findings.texts("text")[*row].starts_with("20 m x 20 m is assumed for the plot (set plot.width"));
 }
 
 TEST(CheckSurvey, ALaneThatWasNotWalkedIsFound) {
