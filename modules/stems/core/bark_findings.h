@@ -8,8 +8,8 @@
 
 namespace bole::stems {
 
-// Findings: stems_sparse, noise_high, bark_blurred, beam_unknown, bark_convention. `noise_m` is the scatter of ranges on the bark,
-// middle of the stems, 0 where it is not known.
+// Findings: stems_sparse, noise_high, bark_blurred, beam_unknown, bark_convention. `noise_m` is the scatter of ranges
+// on the bark, middle of the stems, 0 where it is not known.
 void judge_bark(const std::vector<Stem>& stems, const MeasureOptions& options, bool along_rays, double noise_m,
                 Report& report);
 

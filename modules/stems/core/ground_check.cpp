@@ -181,13 +181,13 @@ double cells_with_ground(const PointCloud& points, const std::vector<float>& hei
 // cut above the ground its lowest points are twigs, grass and bark like those above them. Bark can be dense where
 // ground is not: the cells tell that apart.
 void judge_contrast(std::size_t stems, const PointCloud& points, Report& report) {
-  constexpr double no_ground = 2, doubtful = 3, most_cells = 0.5;
+  constexpr double no_ground = 2, doubtful = 3, max_cells = 0.5;
   constexpr std::size_t min_stems = 3, min_above = 1000;
   const auto& heights = points.values<float>(arrays::height_above_ground);
   Layers all;
   for (const float h : heights) all.add(h);
   if (stems < min_stems || all.above < min_above || all.contrast() >= doubtful) return;
-  if (cells_with_ground(points, heights) > most_cells) return;
+  if (cells_with_ground(points, heights) > max_cells) return;
   report.find(
       all.contrast() < no_ground ? Severity::refused : Severity::look, "ground_no_surface",
       fmt::format(

@@ -55,7 +55,7 @@ struct Stem {
   double ovality = std::numeric_limits<double>::quiet_NaN();  // widest less narrowest diameter, by their mean
   double arc_rad = 0;
   double unbroken_arc_rad = 0;  // longest part of the circle without a gap
-  double edges_m = 0;  // by so much the radius can be too large for a beam that nobody knows; in radius_low
+  double edges_m = 0;           // by so much the radius can be too large for a beam that nobody knows; in radius_low
   double pass_spread_m = 0;
   double inside_share = 0;      // points well inside the stem, of all on and in it
   double contrary_arc_rad = 0;  // where points lie well inside and hardly any on the circle: it does not hold there
