@@ -422,7 +422,7 @@ std::vector<std::string> ResultFolder::keep_changed(const std::set<std::string>&
     else if (records.is_object() && records.contains(name))
       written[name] = records[name];
   }
-  (*summary)["written"] = std::move(written);
+  if (!written.empty()) (*summary)["written"] = std::move(written);
   write_text_file(draft_ / summary_file, summary->dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n");
   return told;
 }

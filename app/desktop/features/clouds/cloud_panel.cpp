@@ -12,8 +12,6 @@
 #include <QLocale>
 #include <QPainter>
 #include <QPushButton>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
@@ -24,6 +22,7 @@
 #include "features/clouds/cloud_distance.h"
 #include "features/clouds/clouds.h"
 #include "look/last_folder.h"
+#include "look/scrolled_page.h"
 #include "workbench/workbench.h"
 
 namespace bole::desktop {
@@ -127,15 +126,7 @@ CloudPanel::CloudPanel(Clouds& clouds, Workbench& bench)
   column->addWidget(said_);
   column->addWidget(help_, 0, Qt::AlignLeft);
   column->addWidget(form_);
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(page);
-  scroll->setMinimumWidth(page->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(scroll);
+  fill_with_scrolled(*this, page);
   bench_.docks().add("clouds", tr("Clouds"), this, Qt::LeftDockWidgetArea, "options")->hide();  // until there is one
   bench_.commands().give_context_menu(*list_, "clouds");
   connect(&clouds_, &Clouds::changed, this, &CloudPanel::follow_list);

@@ -7,13 +7,11 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
-#include <QScrollBar>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
 #include "features/view_tools/range_slider.h"
+#include "look/scrolled_page.h"
 #include "render/draw/color_maps.h"
 #include "views/scene_view.h"
 
@@ -76,15 +74,7 @@ ViewPanel::ViewPanel(SceneView& scene, QWidget* parent) : QWidget(parent), scene
   make_height_rows(form);
   make_clip_rows(form);
   make_switches(form);
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(page);
-  scroll->setMinimumWidth(page->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(scroll);
+  fill_with_scrolled(*this, page);
   connect(&scene_, &SceneView::settings_changed, this, &ViewPanel::show_state);
   connect(&scene_, &SceneView::index_built, this, &ViewPanel::show_state);
   show_state();
