@@ -61,7 +61,7 @@ Eigen::Vector3d CloudPlace::of(const Eigen::Vector3d& p) const {
 }
 
 Eigen::Vector2d CloudPlace::back(const Eigen::Vector2d& plan) const {
-  const Eigen::Vector2d before = plan - shift.head<2>();
+  Eigen::Vector2d before = plan - shift.head<2>();
   if (turn_rad == 0) return before;
   return pivot + turn().topLeftCorner<2, 2>().transpose() * (before - pivot);
 }

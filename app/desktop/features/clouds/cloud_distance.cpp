@@ -18,7 +18,7 @@ std::optional<GlobalFrame> frame_for(const PointCloud& cloud, const Results& res
       const auto* table = std::get_if<std::shared_ptr<const Table>>(&data);
       if (table == nullptr || *table == nullptr) continue;
       try {
-        const auto frame = global_frame_of((*table)->facts);
+        auto frame = global_frame_of((*table)->facts);
         if (!frame || frame->crs_wkt.empty()) continue;
         if (geo::ProjectedCrs(frame->crs_wkt).name() == geo::ProjectedCrs(cloud.crs_wkt).name()) return frame;
       } catch (const Error&) {
