@@ -149,7 +149,8 @@ class EndFinder {
     return cut.z_m - height_m_[k] - (cut.level ? stems_[k].ground_z : 0);
   }
 
-  // A dense end that no tree ends at is that of shrubs or of something else, and a lone round crown ends densely too.
+  // Dense ends are also those of shrubs, and of a few round crowns of one height. A cut leaves many trees that it meets
+  // thick or wide.
   std::optional<CloudCut> confirmed(std::optional<double> end, bool level, const std::vector<TreeEnd>& own) const {
     if (!end) return std::nullopt;
     const CloudCut cut{level, *end};
@@ -159,7 +160,8 @@ class EndFinder {
       ++near;
       stopped += own[k] == TreeEnd::thick_stem || own[k] == TreeEnd::blunt;
     }
-    return near >= min_ends_at_cut || stopped > 0 ? std::optional(cut) : std::nullopt;
+    const int needed = std::min<int>(min_ends_at_cut, static_cast<int>(stems_.size()));
+    return stopped >= needed && 4 * stopped >= near ? std::optional(cut) : std::nullopt;
   }
 
   bool ends_like_neighbours(std::size_t k, const std::vector<TreeEnd>& own) const {

@@ -32,9 +32,10 @@ constexpr std::array<std::string_view, 10> choice_names(TopVerdict) {
 // the stem and that no other tree can claim: a lower bound. Without sensor positions (`sensor_of` empty) a top counts
 // as seen when it is well supported by points, stands over its stem, no other tree reaches over it or contests it, and
 // it does not stand at the edge of the cloud. Its end must be that of a tree (tree_ends.h): a crown that thins out,
-// above a stem that has room to narrow, and not where the cloud ends. With them it must also lie below what the sensor could have measured from
-// where it saw the tree. Stems that end low in an open space become doubtful. Needs the stem curves and the crown bases.
-// The report gets the number of tops and of trees that end with the cloud. Returns the verdicts, by stem.
+// above a stem that has room to narrow, and not where the cloud ends. With them it must also lie below what the sensor
+// could have measured from where it saw the tree. Stems that end low in an open space become doubtful. Needs the stem
+// curves and the crown bases. The report gets the number of tops and of trees that end with the cloud. Returns the
+// verdicts, by stem.
 std::vector<TopVerdict> measure_tops(std::vector<Stem>& stems, const PointCloud& points, const PointLabels& labels,
                                      const CrownGrowth& growth, const SensorOf& sensor_of, const Run& run,
                                      Report& report);
