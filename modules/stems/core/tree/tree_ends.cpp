@@ -31,6 +31,7 @@ constexpr double hidden_by_cut_m = 1.0;  // ... and one that ends so near may go
 constexpr int min_ends_at_cut = 3;
 
 constexpr double neighbours_m = 15, like_neighbours_m = 1;
+constexpr double higher_far_away = 0.25;  // a scanner sees the higher, the further away a tree stands
 constexpr int min_stopped_neighbours = 3;
 
 // Horizontal scatter of the points of a slice.
@@ -178,7 +179,7 @@ class EndFinder {
     }
     // Among whole trees some are broken.
     return stopped >= min_stopped_neighbours && 2 * stopped >= others && height_m_[k] > low - like_neighbours_m &&
-           height_m_[k] < high + like_neighbours_m;
+           height_m_[k] < high + std::max(like_neighbours_m, higher_far_away * high);
   }
 
   const std::vector<Stem>& stems_;
