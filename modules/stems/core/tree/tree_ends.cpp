@@ -31,6 +31,7 @@ constexpr double hidden_by_cut_m = 1.0;  // ... and one that ends so near may go
 constexpr int min_ends_at_cut = 3;
 
 constexpr double neighbours_m = 15, like_neighbours_m = 1;
+constexpr double higher_far_away = 0.25;  // a scanner sees the higher, the further away a tree stands
 constexpr int min_stopped_neighbours = 3;
 
 // Horizontal scatter of the points of a slice.
@@ -149,7 +150,8 @@ class EndFinder {
     return cut.z_m - height_m_[k] - (cut.level ? stems_[k].ground_z : 0);
   }
 
-  // A dense end that no tree ends at is that of shrubs or of something else, and a lone round crown ends densely too.
+  // Dense ends are also those of shrubs, and of a few round crowns of one height. A cut leaves many trees that it meets
+  // thick or wide.
   std::optional<CloudCut> confirmed(std::optional<double> end, bool level, const std::vector<TreeEnd>& own) const {
     if (!end) return std::nullopt;
     const CloudCut cut{level, *end};
@@ -159,7 +161,8 @@ class EndFinder {
       ++near;
       stopped += own[k] == TreeEnd::thick_stem || own[k] == TreeEnd::blunt;
     }
-    return near >= min_ends_at_cut || stopped > 0 ? std::optional(cut) : std::nullopt;
+    const int needed = std::min<int>(min_ends_at_cut, static_cast<int>(stems_.size()));
+    return stopped >= needed && 4 * stopped >= near ? std::optional(cut) : std::nullopt;
   }
 
   bool ends_like_neighbours(std::size_t k, const std::vector<TreeEnd>& own) const {
@@ -176,7 +179,7 @@ class EndFinder {
     }
     // Among whole trees some are broken.
     return stopped >= min_stopped_neighbours && 2 * stopped >= others && height_m_[k] > low - like_neighbours_m &&
-           height_m_[k] < high + like_neighbours_m;
+           height_m_[k] < high + std::max(like_neighbours_m, higher_far_away * high);
   }
 
   const std::vector<Stem>& stems_;
