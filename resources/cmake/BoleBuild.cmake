@@ -70,6 +70,8 @@ if(NOT BOLE_ARCH)
   list(APPEND BOLE_EIGEN_LAYOUT EIGEN_MALLOC_ALREADY_ALIGNED=0)
 endif()
 target_compile_definitions(bole_build INTERFACE ${BOLE_EIGEN_LAYOUT})
+# Each library keeps its own copies of the functions that take memory.
+target_link_options(bole_build INTERFACE "$<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,SHARED_LIBRARY>:LINKER:--version-script=${CMAKE_CURRENT_LIST_DIR}/own_eigen_memory.map>")
 target_link_libraries(bole_build INTERFACE fmt::fmt) # all agree on how it is linked, since it is in the precompiled headers
 if(BOLE_SANITIZE)
   # Without the second a finding of the undefined-behaviour sanitizer is printed and the test passes.
