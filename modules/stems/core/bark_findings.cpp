@@ -69,12 +69,18 @@ void find_unknown_beam(const std::vector<Stem>& stems, Report& report) {
       allowed_cm.push_back(cm), arcs_deg.push_back(s.arc_rad * deg_per_rad);
   if (3 * allowed_cm.size() < stems.size() || allowed_cm.empty()) return;
   const auto n = allowed_cm.size();
-  report.find(Severity::look, "beam_unknown",
-              fmt::format("{} of {} stems were seen on {:.0f} deg of their bark or less, and nothing says how wide the "
-                          "beam of the scanner was: their diameters can be too large by {:.1f} cm (half of them by "
-                          "more). Give the path of the scanner (trajectory.file, for a cloud with times), or scan from "
-                          "more sides",
-                          n, stems.size(), *std::ranges::max_element(arcs_deg), upper_median(std::move(allowed_cm))));
+  const bool rays = std::ranges::any_of(stems, &Stem::rays_known);
+  report.find(
+      Severity::look, "beam_unknown",
+      fmt::format("{} of {} stems were seen on {:.0f} deg of their bark or less, and {}: their diameters can be "
+                  "too large by {:.1f} cm (half of them by more). {}",
+                  n, stems.size(), *std::ranges::max_element(arcs_deg),
+                  rays ? "model=surface leaves out how wide the beam of the scanner was"
+                       : "nothing says how wide the beam of the scanner was",
+                  upper_median(std::move(allowed_cm)),
+                  rays ? "Set stems.model=ray"
+                       : "Give the path of the scanner (trajectory.file, for a cloud with times), or scan from "
+                         "more sides"));
 }
 
 void tell_bark(const MeasureOptions& options, Report& report) {

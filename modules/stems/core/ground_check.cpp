@@ -161,11 +161,12 @@ struct Layers {
 };
 
 // Of the cells of 1 m with points enough, the share where ground stands out.
-double cells_with_ground(const PointCloud& points, const std::vector<float>& heights) {
+double cells_with_ground(const PointCloud& points, const std::vector<float>& heights, const Run& run) {
   constexpr std::size_t min_points = 20;
   constexpr double stands_out = 2;
   std::unordered_map<std::int64_t, Layers> cells;
   for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % (std::size_t{1} << 20) == 0) run.check_cancel();
     const auto& p = points.positions()[i];
     if (heights[i] > -layer_m && heights[i] < top_m)
       cells[(static_cast<std::int64_t>(std::floor(p.y())) << 32) + static_cast<std::int64_t>(std::floor(p.x()))].add(
@@ -180,14 +181,14 @@ double cells_with_ground(const PointCloud& points, const std::vector<float>& hei
 // Ground that was seen has 10 times as many points as what stands on it, and more, also under shrubs. Where a cloud was
 // cut above the ground its lowest points are twigs, grass and bark like those above them. Bark can be dense where
 // ground is not: the cells tell that apart.
-void judge_contrast(std::size_t stems, const PointCloud& points, Report& report) {
-  constexpr double no_ground = 2, doubtful = 3, max_cells = 0.5;
+void judge_contrast(std::size_t stems, const PointCloud& points, const Run& run, Report& report) {
+  constexpr double no_ground = 2, doubtful = 3, max_share_of_cells = 0.5;
   constexpr std::size_t min_stems = 3, min_above = 1000;
   const auto& heights = points.values<float>(arrays::height_above_ground);
   Layers all;
   for (const float h : heights) all.add(h);
   if (stems < min_stems || all.above < min_above || all.contrast() >= doubtful) return;
-  if (cells_with_ground(points, heights) > max_cells) return;
+  if (cells_with_ground(points, heights, run) > max_share_of_cells) return;
   report.find(
       all.contrast() < no_ground ? Severity::refused : Severity::look, "ground_no_surface",
       fmt::format(
@@ -209,7 +210,7 @@ void check_ground(std::vector<Stem>& stems, const PointCloud& points, double bre
   const bool feet_alone = terrain == choice_name(TerrainSource::feet);
   const bool needs_ground = feet_alone || terrain == choice_name(TerrainSource::ground);
   const bool of_lowest_points = terrain == choice_name(TerrainSource::lowest);
-  if (terrain == choice_name(TerrainSource::ground)) judge_contrast(stems.size(), points, report);
+  if (terrain == choice_name(TerrainSource::ground)) judge_contrast(stems.size(), points, run, report);
   std::map<Fault, std::size_t> found;
   for (std::size_t k = 0; k < stems.size(); ++k) {
     Foot foot = feet[k];
@@ -233,8 +234,7 @@ void check_ground(std::vector<Stem>& stems, const PointCloud& points, double bre
   tell(Fault::no_foot, Severity::look, "foot_not_seen",
        "do not widen at the lowest points of the cloud, and no ground lies there",
        "heights count from those points. If feet are missing, breast height is too high and the diameter too small. "
-       "Give "
-       "the tree with some ground around it");
+       "Give the tree with some ground around it");
   // Between seen ground a terrain can be filled in. Where feet are all there is, nobody knows what is missing of them.
   tell(Fault::filled, feet_alone ? Severity::refused : Severity::look, "terrain_filled_under_stems",
        "stand where no ground was seen within 1 m",

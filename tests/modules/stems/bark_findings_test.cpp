@@ -60,6 +60,8 @@ TEST(BarkFindings, AnUnknownBeamIsToldWhereStemsWereSeenInPart) {
   EXPECT_THAT(found[0].text, HasSubstr("2 of 6 stems were seen on 241 deg of their bark or less"));
   EXPECT_THAT(found[0].text, HasSubstr("too large by 1.8 cm"));
   EXPECT_THAT(found[0].text, HasSubstr("trajectory.file"));
+  for (auto& s : stems) s.rays_known = true;  // the path is there, and the model does not use it
+  EXPECT_THAT(findings(stems, false)[0].text, HasSubstr("Set stems.model=ray"));
 }
 
 TEST(BarkFindings, NoStemsNoWord) { EXPECT_THAT(findings({}, true, 0.03), testing::IsEmpty()); }

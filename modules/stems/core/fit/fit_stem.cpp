@@ -49,8 +49,8 @@ double unseen_shape_sd(double radius_m, double arc_rad) {
 double unknown_beam_sd(double sigma_m) { return 0.12 * sigma_m; }
 
 // And points of a wide beam that brushed the edges of a stem lie beside it. Where it was seen all round others tell
-// against them; the less of it was seen, the more its circle follows them, and always outward. What that comes to for a
-// given arc was looked at on simulated scans of four sensors (docs/dev/diameters.md, "Clouds without rays").
+// against them; the less of it was seen, the more its circle follows them, and always outward. The numbers were read
+// off three simulated scans of one sensor and tried on others (docs/dev/diameters.md, "Clouds without rays").
 double unknown_edges_m(double sigma_m, double arc_rad) {
   constexpr double by_unseen_squared = 10, most = 2;  // of the scatter
   const double unseen = std::max(0.0, 1 - arc_rad / (2 * std::numbers::pi));

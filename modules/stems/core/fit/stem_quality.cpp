@@ -45,13 +45,14 @@ void judge(Stem& s, double breast_height_m) {
     fault(arc_deg < 100 ? 2 : 1, {StemReason::short_arc, {arc_deg}});
   else if (!s.rays_known && arc_deg < 200)
     fault(1, {StemReason::arc_without_rays, {arc_deg}});
-  else if (beam_matters)
+  else if (!s.rays_known && beam_matters)
     s.reasons.push_back({StemReason::arc_without_rays, {arc_deg}});
+  const Reason wide(StemReason::wide_interval, {100 * (s.radius_high - s.radius_low)});
   if (half_cm > std::max(1.0, 16 * s.radius))
-    blur(half_cm > std::max(2.0, 32 * s.radius) ? 2 : 1, {StemReason::wide_interval, {half_cm}});
+    blur(half_cm > std::max(2.0, 32 * s.radius) ? 2 : 1, wide);
   else if (half_cm > std::max(1.0, 8 * s.radius) || beam_matters) {  // no reason to give the stem up
     ++sparse;
-    s.reasons.push_back({StemReason::wide_interval, {100 * (s.radius_high - s.radius_low)}});
+    s.reasons.push_back(wide);
   }
   if (const int each = s.inliers / std::max(1, s.sections_used);
       s.inliers < points_for_a_diameter || each < enough_per_section) {
