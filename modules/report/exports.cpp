@@ -8,6 +8,7 @@
 #include "io/core/tables/table_file.h"
 #include "io/core/tables/trajectory_file.h"
 #include "report/map_styles.h"
+#include "report/report_writer.h"
 #include "report/stem_mesh.h"
 #include "report/workbook.h"
 
@@ -157,9 +158,7 @@ std::vector<Export> survey_exports(const SurveyData& d, const ReportOptions& o) 
     exports.push_back({"plot.gpkg", [&d](const auto& path, const Run&, Report& report) {
                          write_layers(path, d);
                          if (d.crs_wkt().empty())
-                           report.facts["stems.geojson"] =
-                               "not written: GeoJSON holds longitude and latitude, and the place of these coordinates "
-                               "on the earth is not known (no coordinate reference system); plot.gpkg has the stems";
+                           report.facts["stems.geojson"] = std::string(no_geojson) + "; plot.gpkg has the stems";
                        }});
   if (o.tables && d.stems->rows() > 0) {
     if (!d.crs_wkt().empty())

@@ -46,9 +46,7 @@ void ReportWriter::write(const std::string& file, const std::function<void(const
 
 bool ReportWriter::write_geojson(const std::string& file, const io::VectorLayer& layer) {
   if (layer.crs_wkt.empty()) {
-    report().facts[file] =
-        "not written: GeoJSON holds longitude and latitude, and the place of these coordinates on the earth is not "
-        "known (no coordinate reference system)";
+    report().facts[file] = no_geojson;
     left_out_ = ", no GeoJSON: the place on the earth is not known";
     return false;
   }

@@ -27,6 +27,11 @@ struct FigureOutput {
   bool wide = true;        // on the page: over its whole width
 };
 
+// Why a layer without a coordinate reference system is no GeoJSON.
+inline constexpr const char* no_geojson =
+    "not written: GeoJSON holds longitude and latitude, and the place of these coordinates on the earth is not known "
+    "(no coordinate reference system)";
+
 class ReportWriter {
  public:
   // Throws Error{bad_input} where the run has no output folder.
