@@ -1,25 +1,17 @@
-// Other clouds beside the survey: added, shown, moved, cut, measured, kept with the document; never computed with.
+// Other clouds beside the survey: shown, moved, cut and measured; never computed with.
 #include <QDoubleSpinBox>
-#include <QDragEnterEvent>
-#include <QDropEvent>
 #include <QFile>
-#include <QLabel>
-#include <QMimeData>
 #include <QPushButton>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTreeWidget>
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 
-#include "answer.h"
 #include "base/angles.h"
 #include "cloud/core/global_frame.h"
-#include "document/disk_memory.h"
+#include "clouds_window.h"
 #include "features/clouds/cloud_distance.h"
-#include "features/clouds/cloud_file.h"
 #include "features/clouds/cloud_panel.h"
 #include "features/clouds/clouds.h"
 #include "features/measure/measure_tool.h"
@@ -27,7 +19,6 @@
 #include "geo/core/projected_crs.h"
 #include "io/core/clouds/cloud_writer.h"
 #include "look/language.h"
-#include "look/pixels.h"
 #include "look/theme.h"
 #include "sample_window.h"
 #include "shell/main_window.h"
@@ -40,29 +31,6 @@
 namespace bole::desktop {
 namespace {
 
-const Eigen::Vector3d utm(563000, 5412000, 300);
-
-// The plot of write_cloud() as it was before: its stems as far beside themselves as `shift` says, half as dense.
-PointCloud earlier_plot(const Eigen::Vector3d& shift, const Eigen::Vector3d& origin = Eigen::Vector3d::Zero()) {
-  PointCloud::Positions p;
-  std::vector<float> intensity;
-  const Eigen::Vector3f by = shift.cast<float>();
-  for (int i = 0; i < 60; ++i)
-    for (int j = 0; j < 60; ++j) p.push_back(Eigen::Vector3f(0.16F * float(i), 0.16F * float(j), 0) + by);
-  for (int tree = 0; tree < 9; ++tree)
-    for (int layer = 0; layer < 120; ++layer)
-      for (int k = 0; k < 20; ++k) {
-        const float angle = 6.2831853F * (float(k) + 0.37F * float(layer)) / 20;
-        p.push_back(Eigen::Vector3f(1.5F + 3 * float(tree % 3) + 0.08F * std::cos(angle),
-                                    1.5F + 3 * float(tree / 3) + 0.08F * std::sin(angle), 0.03F * float(layer)) +
-                    by);
-      }
-  for (std::size_t i = 0; i < p.size(); ++i) intensity.push_back(float(i % 100));
-  PointCloud cloud(std::move(p), origin);
-  cloud.set_column(arrays::intensity, std::move(intensity));
-  return cloud;
-}
-
 double mean(const std::vector<double>& values) {
   double sum = 0;
   for (const double v : values) sum += v;
@@ -71,34 +39,10 @@ double mean(const std::vector<double>& values) {
 
 }  // namespace
 
-class CloudsTest : public QObject {
+class CloudsTest : public CloudsWindow {
   Q_OBJECT
 
  private Q_SLOTS:
-  void initTestCase() {
-    QSettings().clear();
-    write_cloud(at("cloud.xyz").toStdString());
-    write_pipeline(at("plot.json").toStdString());
-    io::write_cloud(at("earlier.ply").toStdString(), earlier_plot({0.3, 0, 0}));
-    io::write_cloud(at("beside.ply").toStdString(), earlier_plot({20, 0, 0}));
-    auto far_away = earlier_plot({0, 0, 0}, utm);
-    far_away.scale = Eigen::Vector3d::Constant(0.001);
-    io::write_cloud(at("flown.laz").toStdString(), far_away);
-    std::ofstream(at("broken.laz").toStdString()) << "LASF but nothing else";
-    std::ofstream(at("empty.xyz").toStdString()) << "";
-  }
-
-  void init() {
-    QSettings().clear();
-    QFile::remove(at("plot.clouds.json"));
-    open_window();
-  }
-
-  void cleanup() {
-    window_->session().discard_recovery();
-    window_.reset();
-  }
-
   void a_cloud_is_drawn_beside_the_survey_and_not_computed_with() {
     const auto document = window_->session().document().to_json();
     const auto survey = scene().survey().points;
@@ -293,103 +237,6 @@ class CloudsTest : public QObject {
     QCOMPARE(clouds().list().size(), std::size_t{1});
   }
 
-  void the_list_is_kept_with_the_document() {
-    const int id = add("earlier.ply"), hidden = add("beside.ply");
-    clouds().place(id, {0.5, -0.25, 0.125}, 12.5);
-    clouds().paint(id, render::hex(0x123456), "intensity", 4);
-    clouds().show(hidden, false);
-    QFile kept(at("plot.clouds.json"));
-    QVERIFY(kept.open(QIODevice::ReadOnly));
-    const auto json = kept.readAll();
-    QVERIFY2(json.contains("\"file\": \"earlier.ply\""), json.constData());  // from where the document lies
-    reopen();
-    QCOMPARE(clouds().list().size(), std::size_t{2});
-    QTRY_VERIFY_WITH_TIMEOUT(clouds().list()[0].read && clouds().list()[1].read, 20000);
-    const auto& entry = clouds().list().front();
-    QCOMPARE(entry.path, QFileInfo(at("earlier.ply")).absoluteFilePath());
-    QCOMPARE(entry.shift_m, Eigen::Vector3d(0.5, -0.25, 0.125));
-    QCOMPARE(entry.turn_deg, 12.5);
-    QCOMPARE(entry.color_by, std::string("intensity"));
-    QCOMPARE(entry.point_px, 4.0);
-    QVERIFY(std::abs(entry.color.r - 0x12 / 255.0) < 1e-3);
-    QVERIFY(!clouds().list()[1].visible);
-    QTRY_VERIFY_WITH_TIMEOUT(scene().refined() && drawn(entry.id) > 0, 20000);
-    QCOMPARE(scene().clouds().size(), std::size_t{1});
-    // Saved elsewhere, the list goes along.
-    window_->save(at("copy.json"));
-    QVERIFY(QFile::exists(at("copy.clouds.json")));
-    window_->open(at("plot.json"));
-    QCOMPARE(clouds().list().size(), std::size_t{2});
-  }
-
-  void a_missing_file_is_told_and_nothing_is_lost() {
-    io::write_cloud(at("gone.ply").toStdString(), earlier_plot({0.3, 0, 0}));
-    const int id = add("gone.ply");
-    clouds().place(id, {3, 0, 0}, 0);
-    QVERIFY(QFile::rename(at("gone.ply"), at("elsewhere.ply")));
-    reopen();
-    QTRY_VERIFY_WITH_TIMEOUT(!clouds().list().front().problem.isEmpty(), 20000);
-    QVERIFY2(window_->log().text().contains("gone.ply"), qPrintable(window_->log().text()));
-    QVERIFY(said().contains("gone.ply"));
-    QCOMPARE(clouds().list().front().shift_m.x(), 3.0);
-    clouds().show(clouds().list().front().id, true);  // the list is written again: it is still there
-    reopen();
-    QTRY_VERIFY_WITH_TIMEOUT(!clouds().list().empty() && !clouds().list().front().problem.isEmpty(), 20000);
-    clouds().read_again(clouds().list().front().id, at("elsewhere.ply"));
-    QTRY_VERIFY_WITH_TIMEOUT(clouds().list().front().read != nullptr, 20000);
-    QCOMPARE(clouds().list().front().shift_m.x(), 3.0);
-    QVERIFY(drawn(clouds().list().front().id) > 0 || clouds().is_drawn(clouds().list().front().id));
-  }
-
-  void a_list_that_cannot_be_read_is_not_written_over() {
-    const QByteArray damaged = R"({"clouds": [{"file": "earlier.ply", "shift_m": [1, 2]}]})";
-    QFile file(at("plot.clouds.json"));
-    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(damaged) == damaged.size());
-    file.close();
-    reopen();
-    QVERIFY(clouds().list().empty());
-    QVERIFY(window_->log().text().contains("plot.clouds.json"));
-    add("earlier.ply");
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    QCOMPARE(file.readAll(), damaged);
-    const QDir here(folder_.path());
-    for (const char* bad : {"", "[]", R"({"clouds": [{}]})", R"({"clouds": [{"file": "a", "turn_deg": "b"}]})",
-                            R"({"clouds": [{"file": "a", "shift_m": [1, 1e300, 0]}]})"})
-      QVERIFY_EXCEPTION_THROWN(parse_clouds(bad, here), Error);
-    QCOMPARE(parse_clouds(R"({"clouds": [{"file": "a.laz"}]})", here).front().path, here.filePath("a.laz"));
-  }
-
-  void a_bad_file_is_told() {
-    for (const auto& [name, word] : {std::pair{"broken.laz", "broken.laz"},
-                                     {"not_there.laz", "not_there.laz"},
-                                     {"empty.xyz", "empty.xyz"},
-                                     {"plot.json", "plot.json"}}) {
-      clouds().add(at(name));
-      QTRY_VERIFY_WITH_TIMEOUT(!clouds().reading(), 20000);
-      QVERIFY2(window_->log().text().contains(word), name);
-      QVERIFY(clouds().list().empty());
-    }
-    QVERIFY(!QFile::exists(at("plot.clouds.json")));
-    MainWindow without;
-    QVERIFY(!without.commands().action("clouds.add")->isEnabled());
-  }
-
-  void reading_can_be_cancelled() {
-    clouds().add(at("earlier.ply"));
-    clouds().add(at("beside.ply"));
-    QVERIFY(clouds().reading() && clouds().reading_text().contains("earlier.ply"));
-    clouds().cancel_reading();
-    QTRY_VERIFY_WITH_TIMEOUT(!clouds().reading(), 20000);
-    QVERIFY(clouds().list().size() <= 1);  // the first one may have been read by then
-    // What belongs to a document that was closed does not come into the next one.
-    clouds().add(at("earlier.ply"));
-    if (window_->session().changed()) answer(QMessageBox::Discard);
-    window_->open(at("plot.json"));
-    const auto before = clouds().list().size();
-    QTRY_VERIFY_WITH_TIMEOUT(!clouds().reading(), 20000);
-    QCOMPARE(clouds().list().size(), before);
-  }
-
   void a_section_shows_both_in_their_colours() {
     const int id = add("earlier.ply");
     auto* section = window_->findChild<SectionTool*>();
@@ -486,62 +333,6 @@ class CloudsTest : public QObject {
     QVERIFY(drawn(id) > 0);
   }
 
-  void a_file_dropped_with_shift_is_looked_at() {
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(at("earlier.ply"))});
-    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::ShiftModifier);
-    QApplication::sendEvent(window_.get(), &enter);
-    QVERIFY(enter.isAccepted());
-    QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::ShiftModifier);
-    QApplication::sendEvent(window_.get(), &drop);
-    QTRY_COMPARE_WITH_TIMEOUT(clouds().list().size(), std::size_t{1}, 20000);
-    QCOMPARE(QFileInfo(window_->session().path()).fileName(), QString("plot.json"));
-  }
-
-  void a_cloud_larger_than_memory_comes_from_the_disk() {
-    save_disk_memory_mib(16);
-    PointCloud::Positions p;
-    for (int i = 0; i < 900; ++i)
-      for (int j = 0; j < 900; ++j)
-        p.emplace_back(0.01F * float(i), 0.01F * float(j), 0.5F + 0.001F * float((i * 7 + j * 3) % 5));
-    PointCloud large(std::move(p), {1000, 2000, 100});
-    large.scale = Eigen::Vector3d::Constant(1e-3);
-    const std::vector<std::uint8_t> one(large.size(), 1);
-    large.set_column(arrays::return_number, one);
-    large.set_column(arrays::number_of_returns, one);
-    io::write_cloud(at("large.copc.laz").toStdString(), large);
-    const int id = add("large.copc.laz");
-    QVERIFY(clouds().find(id)->read->on_disk());
-    QVERIFY(said().contains("disk"));
-    window_->findChild<CloudPanel*>()->select(id);
-    window_->commands().trigger("clouds.move_here");
-    auto shift = clouds().find(id)->shift_m;
-    shift.z() = -99;  // 1.5 m above the ground
-    clouds().place(id, shift, 90);
-    QTRY_VERIFY_WITH_TIMEOUT(scene().refined() && drawn(id) > 100'000, 30000);
-    std::vector<render::PointSet> seen;
-    std::vector<const SceneCloud*> owners;
-    scene().cloud_layers().add_drawn(seen, owners);
-    for (const auto& set : seen)
-      for (std::size_t k = 0; k < set.indices.size(); k += 97) {
-        const Eigen::Vector3d q = set.cloud->position(set.indices[k]);
-        QVERIFY(q.x() > -1 && q.x() < 11 && q.y() > -1 && q.y() < 11 && std::abs(q.z() - 1.5) < 0.02);
-      }
-    // A section of all its points, not of the coarse ones.
-    auto* section = window_->findChild<SectionTool*>();
-    section->show({{2, 4}, {4, 4}, 0.1});
-    const auto& cut = section->view().section();
-    QTRY_VERIFY_WITH_TIMEOUT(cut && cut->points_of(1) > 1700, 20000);  // 200 x 9 or 10; of the coarse ones 400
-    QVERIFY(cut->points_of(1) < 2300);
-
-    // Of other formats an even share is kept, which is said.
-    io::write_cloud(at("large.ply").toStdString(), PointCloud(PointCloud::Positions(1'200'000, {1, 1, 1})));
-    const int thinned = add("large.ply");
-    QVERIFY(clouds().find(thinned)->read->points->size() <= (std::size_t{16} << 20) / 16);
-    QCOMPARE(clouds().find(thinned)->read->found, std::uint64_t{1'200'000});
-    QVERIFY2(window_->log().text().contains("1,200,000"), qPrintable(window_->log().text()));
-  }
-
   // BOLE_LOOK=FOLDER writes what a person should look at.
   void pictures_to_look_at() {
     const QString to = qEnvironmentVariable("BOLE_LOOK");
@@ -589,63 +380,6 @@ class CloudsTest : public QObject {
   }
 
  private:
-  QString at(const char* name) const { return folder_.filePath(name); }
-  Clouds& clouds() { return *window_->findChild<Clouds*>(); }
-  SceneView& scene() { return window_->scene(); }
-  std::size_t drawn(int id) { return scene().cloud_layers().drawn(id); }
-  QString said() { return window_->findChild<QLabel*>("cloud_said")->text(); }
-  QDoubleSpinBox* box(const char* name) { return window_->findChild<QDoubleSpinBox*>(name); }
-
-  void open_window() {
-    window_ = std::make_unique<MainWindow>();
-    window_->resize(1300, 850);
-    window_->show();
-    QVERIFY(QTest::qWaitForWindowExposed(window_.get()));
-    window_->open(at("plot.json"));
-    QTRY_VERIFY_WITH_TIMEOUT(scene().has_survey(), 20000);
-    QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 20000);
-  }
-
-  void reopen() {
-    window_->session().discard_recovery();
-    window_.reset();
-    open_window();
-  }
-
-  void measure() {
-    window_->refresh();
-    QVERIFY(wait_for_run(*window_));
-  }
-
-  // Reads it to the end; 0: it was not taken.
-  int add(const char* name) {
-    const auto before = clouds().list().size();
-    clouds().add(at(name));
-    for (int wait = 0; wait < 2000 && clouds().reading(); ++wait) QTest::qWait(10);
-    return clouds().list().size() == before + 1 ? clouds().list().back().id : 0;
-  }
-
-  QImage picture() {
-    for (int wait = 0; wait < 400 && !scene().refined(); ++wait) QTest::qWait(20);
-    auto settings = scene().settings();
-    settings.legend = false;
-    scene().set_settings(settings);
-    return scene().picture(800, false);
-  }
-
-  static int count_of(const QImage& picture, const render::Color& color) {
-    const QColor wanted = QColor::fromRgbF(color.r, color.g, color.b);
-    int count = 0;
-    for (int y = 0; y < picture.height(); ++y)
-      for (int x = 0; x < picture.width(); ++x) {
-        const QColor c = picture.pixelColor(x, y);
-        count += std::abs(c.red() - wanted.red()) + std::abs(c.green() - wanted.green()) +
-                     std::abs(c.blue() - wanted.blue()) <
-                 12;
-      }
-    return count;
-  }
-
   static double section_mean_x(const CrossSection& cut, std::uint32_t owner, double near_x) {
     std::vector<double> x;
     for (std::size_t k = 0; k < cut.owners.size(); ++k)
@@ -653,16 +387,17 @@ class CloudsTest : public QObject {
         x.push_back(cut.drawn.points[k].x());
     return x.empty() ? 1e9 : mean(x);
   }
-
-  QTemporaryDir folder_;
-  std::unique_ptr<MainWindow> window_;
 };
 
 }  // namespace bole::desktop
 
-int main(int argc, char** argv) {
-  bole::desktop::TestApplication application(argc, argv);
+int bole::desktop::run_clouds_test(int argc, char** argv) {
   bole::desktop::CloudsTest test;
   return QTest::qExec(&test, argc, argv);
+}
+
+int main(int argc, char** argv) {
+  bole::desktop::TestApplication application(argc, argv);
+  return bole::desktop::run_clouds_test(argc, argv) + bole::desktop::run_cloud_files_test(argc, argv);
 }
 #include "clouds_test.moc"
