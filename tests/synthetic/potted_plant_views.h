@@ -18,6 +18,7 @@ struct PictureSettings {
   double pose_noise = 0.0003;           // metres, of the given poses
   bool srgb = true;                     // false: codes are light
   std::array<double, 5> distortion{};
+  double top = 0.055;  // of the stem that is traced, above the soil
   std::uint64_t seed = 1;
 };
 
@@ -139,7 +140,7 @@ class PottedPlantViews : public ViewSource {
     const Pose& pose = true_[index];
     const auto& camera = camera_.color;
     Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
-    for (double z = 0.008; z <= 0.055; z += 0.002) {
+    for (double z = 0.008; z <= s_.top; z += 0.002) {
       const auto at = camera.project(pose.inverse() * plant_.axis(z));
       low = low.cwiseMin(*at);
       high = high.cwiseMax(*at);

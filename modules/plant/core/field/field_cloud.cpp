@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plant/core/field/train_step.h"
+#include "plant/core/training/train_step.h"
 #include "plant/core/surface/depth_maps.h"
 
 namespace bole::plant {

@@ -245,6 +245,12 @@ void HashEncoder::visit_parameters(const std::function<void(std::span<float>)>& 
   for (auto& level : levels_) visit({level.values.front().data(), level.values.size() * 2});
 }
 
+void HashEncoder::visit_moments(const std::function<void(std::span<float>)>& visit) {
+  dense_.visit_moments(visit);
+  for (auto& level : levels_)
+    for (auto* moment : {&level.first, &level.second}) visit({moment->front().data(), moment->size() * 2});
+}
+
 std::vector<float> HashEncoder::gradients() const {
   std::vector<float> all = dense_.gradients;
   for (const auto& level : levels_)

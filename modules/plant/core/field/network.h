@@ -37,6 +37,10 @@ struct DenseParameters {
   // Appends a layer, its weights uniform in +-sqrt(6 / inputs) (He et al. 2015) times `gain`.
   Layer add(int inputs, int outputs, float gain, std::uint64_t seed);
   void update(float rate, const AdamStep& step);
+  void visit_moments(const std::function<void(std::span<float>)>& visit) {
+    visit(first);
+    visit(second);
+  }
 };
 
 // Real spherical harmonics up to degree 2 of a unit vector.
