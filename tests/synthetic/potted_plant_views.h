@@ -3,6 +3,9 @@
 #pragma once
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <mutex>
 
 #include "synthetic/potted_plant.h"
 
@@ -24,7 +27,11 @@ struct PictureSettings {
 
 class PottedPlantViews : public ViewSource {
  public:
-  PottedPlantViews(const PottedPlant& plant, const PictureSettings& settings) : plant_(plant), s_(settings) {
+  PottedPlantViews(const PottedPlant& plant, const PictureSettings& settings)
+      : plant_(plant),
+        s_(settings),
+        made_(static_cast<std::size_t>(settings.views)),
+        pictures_(static_cast<std::size_t>(settings.views)) {
     camera_.color = {s_.width, s_.height, s_.focal, s_.focal, s_.width / 2.0 - 3, s_.height / 2.0 + 5, s_.distortion};
     Random random(s_.seed, 9);
     for (int i = 0; i < s_.views; ++i) {
@@ -54,7 +61,12 @@ class PottedPlantViews : public ViewSource {
   const Trajectory& given_poses() const override { return given_; }
   std::string description() const override { return "potted plant"; }
   std::string locator() const override { return "{}"; }
-  void read(std::size_t i, View& view, ViewParts) const override { view.color = picture(i); }
+  // A picture is traced once; it takes some tenths of a second.
+  void read(std::size_t i, View& view, ViewParts) const override {
+    // Isolated, so that a thread that waits here takes no other view, which might wait for this one.
+    std::call_once(made_[i], [&] { tbb::this_task_arena::isolate([&] { pictures_[i] = picture(i); }); });
+    view.color = pictures_[i];
+  }
 
  private:
   struct Ray {
@@ -205,6 +217,8 @@ class PottedPlantViews : public ViewSource {
   RgbdCamera camera_;
   std::vector<Pose> true_;
   Trajectory given_;
+  mutable std::vector<std::once_flag> made_;
+  mutable std::vector<ColorImage> pictures_;
 };
 
 }  // namespace bole::tests

@@ -105,14 +105,17 @@ TEST(Field, SameResultWithOneThreadAndWithTwo) {
   auto options = small_options();
   options.steps = 12;
   options.region = "-0.2 -0.2 -0.02 0.2 0.2 0.2";
-  std::vector<float> first, second;
-  for (auto* parameters : {&first, &second}) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, parameters == &first ? 1 : 2);
-    auto t = train(views, options);
-    t.field.model.encoder->visit_parameters(
-        [&](std::span<float> values) { parameters->insert(parameters->end(), values.begin(), values.end()); });
+  for (const auto kind : {EncoderKind::grid, EncoderKind::hash, EncoderKind::paper}) {
+    options.encoder = kind;
+    std::vector<float> first, second;
+    for (auto* parameters : {&first, &second}) {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, parameters == &first ? 1 : 2);
+      auto t = train(views, options);
+      t.field.model.encoder->visit_parameters(
+          [&](std::span<float> values) { parameters->insert(parameters->end(), values.begin(), values.end()); });
+    }
+    EXPECT_EQ(first, second) << choice_name(kind);
   }
-  EXPECT_EQ(first, second);
 }
 
 TEST(Field, FinishKeepsTheBestSoFar) {

@@ -43,6 +43,12 @@ struct DenseParameters {
   }
 };
 
+// Adds all columns up, one after another: Eigen's sum over columns takes another order where memory happens to be aligned
+// otherwise, so that one seed would not always give one field.
+inline void add_columns(const Eigen::MatrixXf& columns, Eigen::Map<Eigen::VectorXf> sum) {
+  for (Eigen::Index i = 0; i < columns.cols(); ++i) sum += columns.col(i);
+}
+
 // Real spherical harmonics up to degree 2 of a unit vector.
 constexpr int harmonics = 9;
 void spherical_harmonics(const Eigen::Vector3f& d, float* out);
