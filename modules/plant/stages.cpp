@@ -5,11 +5,11 @@
 #include "plant/core/field/field_cloud.h"
 #include "plant/core/field/field_store.h"
 #include "plant/core/field/render_view.h"
-#include "plant/core/training/train_field.h"
 #include "plant/core/mvs/match_views.h"
 #include "plant/core/separate/separate.h"
 #include "plant/core/surface/surface_points.h"
 #include "plant/core/surface/tsdf.h"
+#include "plant/core/training/train_field.h"
 #include "plant/core/traits/traits.h"
 
 namespace bole::plant {

@@ -9,9 +9,9 @@
 namespace bole::stems {
 
 struct Bark {
-  std::string title;           // "Plates"
-  double relief_m = 0;         // mean depth of the bark below the ridges on which a tape lies
-  double relief_sd_m = 0;      // how far it may be from that
+  std::string title;       // "Plates"
+  double relief_m = 0;     // mean depth of the bark below the ridges on which a tape lies
+  double relief_sd_m = 0;  // how far it may be from that
   std::vector<std::string> species;
 };
 

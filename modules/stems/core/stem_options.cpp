@@ -139,15 +139,16 @@ const OptionTable& option_table(const MeasureOptions*) {
               Tier::expert,
               "Standard deviation of a single range; cloud: as the cloud says. It raises max_sigma for noisy "
               "sensors."},
-          Option<S, std::string>{
-              "bark",
-              &S::bark,
-              TextKind::input_path_or_name,
-              {},
-              Tier::basic,
-              "Bark of the stand, which the points do not show: mean adds nothing (a convention); smooth (beech), scaly "
-              "(spruce), ridged (ash), plated (pine) and furrowed (oak) add what a tape over the ridges reads more, with "
-              "wider intervals. Or the path of a JSON file."},
+          Option<S, std::string>{"bark",
+                                 &S::bark,
+                                 TextKind::input_path_or_name,
+                                 {},
+                                 Tier::basic,
+                                 "Bark of the stand, which the points do not show: mean adds nothing (a convention); "
+                                 "smooth (beech), scaly "
+                                 "(spruce), ridged (ash), plated (pine) and furrowed (oak) add what a tape over the "
+                                 "ridges reads more, with "
+                                 "wider intervals. Or the path of a JSON file."},
           Option<S, std::optional<double>>{
               "bark_relief",
               &S::bark_relief,
@@ -219,8 +220,8 @@ const OptionTable& option_table(const MeasureOptions*) {
                             "Points closer to the fitted surface than this are marked as bark."},
           OnlyIf{"model",
                  {"auto", "ray"},
-                 {"ray_gate", "beam_divergence", "beam_divergence_sd", "beam_aperture", "bark", "bark_relief", "bark_relief_sd",
-                  "estimate_range_offset"}},
+                 {"ray_gate", "beam_divergence", "beam_divergence_sd", "beam_aperture", "bark", "bark_relief",
+                  "bark_relief_sd", "estimate_range_offset"}},
           OnlyIf{"estimate_range_offset", {"true"}, {"range_offset_sd"}},
       },
       [](const S& s) {

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "modules/io/io_test_tools.h"
 #include "plant/core/field/build_space.h"
 #include "plant/core/field/field_cloud.h"
 #include "plant/core/field/field_store.h"
@@ -16,7 +17,6 @@
 #include "plant/core/training/train_field.h"
 #include "plant/core/training/train_step.h"
 #include "plant/core/training/training_state.h"
-#include "modules/io/io_test_tools.h"
 #include "synthetic/plant_scene.h"
 
 namespace bole::plant {
@@ -139,7 +139,8 @@ TEST(Field, FinishKeepsTheBestSoFar) {
 // The parameters of a field and the poses of its views, one after another.
 std::vector<float> learnt(const TrainedField& field) {
   std::vector<float> out;
-  field.model.encoder->visit_parameters([&](std::span<float> values) { out.insert(out.end(), values.begin(), values.end()); });
+  field.model.encoder->visit_parameters(
+      [&](std::span<float> values) { out.insert(out.end(), values.begin(), values.end()); });
   for (const auto& p : field.poses.poses)
     for (int k = 0; k < 3; ++k) out.push_back(static_cast<float>(p.T_target_sensor.translation()(k)));
   return out;
@@ -189,7 +190,8 @@ TEST_P(Checkpoint, AnInterruptedTrainingEndsAsIfItHadNotBeen) {
   EXPECT_FALSE(std::filesystem::exists(options.checkpoint));  // nothing is left to go on with
 }
 
-INSTANTIATE_TEST_SUITE_P(Encoders, Checkpoint, testing::Values(EncoderKind::grid, EncoderKind::hash, EncoderKind::paper),
+INSTANTIATE_TEST_SUITE_P(Encoders, Checkpoint,
+                         testing::Values(EncoderKind::grid, EncoderKind::hash, EncoderKind::paper),
                          [](const auto& p) { return std::string(choice_name(p.param)); });
 
 TEST(Field, CheckpointsOfOthersAndDamagedOnesAreRefused) {

@@ -33,7 +33,9 @@ TEST(StemVolume, OfACone) {
   }
 }
 
-TEST(StemVolume, IsNotGivenWhereHalfOfTheStemIsHidden) { EXPECT_FALSE(stem_volume(cone_sections(0.4), 0.3, 3e-5, 0.005)); }
+TEST(StemVolume, IsNotGivenWhereHalfOfTheStemIsHidden) {
+  EXPECT_FALSE(stem_volume(cone_sections(0.4), 0.3, 3e-5, 0.005));
+}
 
 TEST(StemVolume, AnErrorThatAllDiametersShareDoesNotAverageOut) {
   const auto sections = cone_sections(0.9);

@@ -96,7 +96,8 @@ Table store_field(const FieldModel& field, const FieldView& first_view) {
 
 StoredField load_field(const Table& table) {
   const auto fact = table.facts.find("field");
-  if (fact == table.facts.end() || !table.has("value")) throw damaged_field("it has no fact 'field' or no column 'value'");
+  if (fact == table.facts.end() || !table.has("value"))
+    throw damaged_field("it has no fact 'field' or no column 'value'");
   StoredField out;
   try {
     const auto facts = json::parse(fact->second);

@@ -43,8 +43,8 @@ struct DenseParameters {
   }
 };
 
-// Adds all columns up, one after another: Eigen's sum over columns takes another order where memory happens to be aligned
-// otherwise, so that one seed would not always give one field.
+// Adds all columns up, one after another: Eigen's sum over columns takes another order where memory happens to be
+// aligned otherwise, so that one seed would not always give one field.
 inline void add_columns(const Eigen::MatrixXf& columns, Eigen::Map<Eigen::VectorXf> sum) {
   for (Eigen::Index i = 0; i < columns.cols(); ++i) sum += columns.col(i);
 }

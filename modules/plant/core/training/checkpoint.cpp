@@ -63,7 +63,8 @@ void check_hash(const std::filesystem::path& path, std::ifstream& in, std::size_
   std::vector<char> buffer(1U << 20U);
   for (std::size_t left = size - hash_digits; left > 0;) {
     const auto part = std::min(left, buffer.size());
-    if (!in.read(buffer.data(), static_cast<std::streamsize>(part))) throw failure("the checkpoint " + path.string() + " cannot be read");
+    if (!in.read(buffer.data(), static_cast<std::streamsize>(part)))
+      throw failure("the checkpoint " + path.string() + " cannot be read");
     hash.add_bytes(std::as_bytes(std::span(buffer).first(part)));
     left -= part;
   }
@@ -90,9 +91,10 @@ std::string training_key(const FieldOptions& options, const Region& region, cons
   hash.add_value(options.encoder);
   hash.add_value(options.extent);
   hash.add_value(options.background);
-  for (const double v : {options.voxel, options.depth_weight, options.depth_sigma, options.min_share}) hash.add_value(v);
-  for (const int v : {options.steps, options.rays, options.max_width, options.hold_out, options.max_memory_mib, options.seed,
-                      options.paper_layers, options.paper_width, options.paper_frequencies})
+  for (const double v : {options.voxel, options.depth_weight, options.depth_sigma, options.min_share})
+    hash.add_value(v);
+  for (const int v : {options.steps, options.rays, options.max_width, options.hold_out, options.max_memory_mib,
+                      options.seed, options.paper_layers, options.paper_width, options.paper_frequencies})
     hash.add_value(v);
   for (const bool v : {options.exposure, options.refine_poses, options.paper_integrated}) hash.add_value(v);
   for (const auto& view : views) {

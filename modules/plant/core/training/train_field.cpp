@@ -68,8 +68,13 @@ void reshape(TrainingState& state, double done, const Region& region, const Fiel
 class Training {
  public:
   Training(const Region& region, const FieldOptions& options, bool has_depth, TrainingState& state)
-      : region_(region), options_(options), has_depth_(has_depth), state_(state), path_(expand_home(options.checkpoint)) {
-    setting_ = {options.rays, options.seed, static_cast<float>(options.depth_weight), options.exposure, {options.depth_sigma}};
+      : region_(region),
+        options_(options),
+        has_depth_(has_depth),
+        state_(state),
+        path_(expand_home(options.checkpoint)) {
+    setting_ = {
+        options.rays, options.seed, static_cast<float>(options.depth_weight), options.exposure, {options.depth_sigma}};
     for (std::size_t i = 0; i < state.views.size(); ++i) {
       windows_.push_back(window_of_region(*state.model.space, state.views[i]));
       if (!state.views[i].held_out) training_.push_back(i);
@@ -82,7 +87,8 @@ class Training {
     if (!path_.empty() && std::filesystem::exists(path_)) {
       read_checkpoint(path_, key_, options_, has_depth_, state_);
       report.find(Severity::note, "training_resumed",
-                  fmt::format("The training went on after step {} of {}, from {}.", state_.step, options_.steps, path_.string()));
+                  fmt::format("The training went on after step {} of {}, from {}.", state_.step, options_.steps,
+                              path_.string()));
     } else {
       state_.model.encoder = make_encoder(options_, state_.model.space, has_depth_);
       if (auto* grid = dynamic_cast<GridEncoder*>(state_.model.encoder.get()))
@@ -101,8 +107,10 @@ class Training {
       if (!path_.empty() && std::chrono::duration<double>(Clock::now() - saved_).count() > checkpoint_every_s) save();
     }
     state_.seconds = seconds();
-    if (state_.step < options_.steps) end_early(run, report);
-    else if (!path_.empty()) std::filesystem::remove(path_);  // nothing is left to go on with
+    if (state_.step < options_.steps)
+      end_early(run, report);
+    else if (!path_.empty())
+      std::filesystem::remove(path_);  // nothing is left to go on with
   }
 
  private:
@@ -143,7 +151,8 @@ class Training {
   void tell(double done, const Run& run) {
     const double training_db = -10 * std::log10(std::max(1e-12, mean_loss()));
     const double held_out_db = state_.progress.psnr_db.empty() ? 0.0 : state_.progress.psnr_db.back();
-    run.report(0.1 + 0.75 * done, fmt::format("step {}, training {:.1f} dB, held out {:.1f} dB", state_.step, training_db, held_out_db));
+    run.report(0.1 + 0.75 * done,
+               fmt::format("step {}, training {:.1f} dB, held out {:.1f} dB", state_.step, training_db, held_out_db));
     curve_.add(state_.step, training_db, run);
   }
 
@@ -165,9 +174,10 @@ class Training {
     report.status = Status::finished_early;
     if (best_.psnr_db() > quick_psnr(state_.model, state_.views, run)) {
       best_.restore(state_, options_, has_depth_);
-      report.find(Severity::note, "best_field_kept",
-                  fmt::format("The field of step {} shows the views kept back better than that of step {}, and was kept.",
-                              best_.step(), state_.step));
+      report.find(
+          Severity::note, "best_field_kept",
+          fmt::format("The field of step {} shows the views kept back better than that of step {}, and was kept.",
+                      best_.step(), state_.step));
     }
   }
 

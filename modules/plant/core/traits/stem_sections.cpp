@@ -10,9 +10,9 @@ namespace bole::plant {
 namespace {
 
 constexpr std::size_t min_views = 5;
-constexpr double max_growth = 1.08;   // of a diameter over the one below: more is a node
-constexpr double steepest_sine = 0.7;  // of the stem against the ground
-constexpr double tip_share = 0.35;     // how thin a stem becomes up to its tip, for a first guess
+constexpr double max_growth = 1.08;  // of a diameter over the one below: more is a node
+constexpr double min_rise = 0.7;     // per length of stem: 45 degrees
+constexpr double tip_share = 0.35;   // how thin a stem becomes up to its tip, for a first guess
 
 // The axis of a piece, as a straight line in plan.
 StemCurve piece_of(const AxisCurve& stem, double arc, double stretch) {
@@ -35,7 +35,7 @@ std::vector<Piece> pieces_of(const SectionInputs& in, const AxisCurve& stem, dou
   const double length = stem.length(), stretch = in.stretch;
   const double lowest = known_arc - stretch * std::floor((known_arc - stretch / 2) / stretch);
   for (double arc = std::max(lowest, stretch / 2); arc + stretch / 2 <= length; arc += stretch) {
-    if (stem.tangent(arc, stretch / 2).z() < steepest_sine) continue;
+    if (stem.tangent(arc, stretch / 2).z() < min_rise) continue;
     Piece piece{arc, in.search};
     auto& search = piece.search;
     search.axis = piece_of(stem, arc, stretch);
@@ -51,8 +51,8 @@ std::vector<Piece> pieces_of(const SectionInputs& in, const AxisCurve& stem, dou
   return pieces;
 }
 
-// A stem becomes thinner upwards. What is wider than what is found below it is a node or a leaf; one section that is too
-// thin would put out all that follow, so the largest set that becomes thinner is kept (longest non-increasing run).
+// A stem becomes thinner upwards. What is wider than what is found below it is a node or a leaf; one section that is
+// too thin would put out all that follow, so the largest set that becomes thinner is kept (longest non-increasing run).
 std::vector<StemSection> thinning_upwards(const std::vector<StemSection>& found) {
   std::vector<std::size_t> count(found.size(), 1), before(found.size());
   std::size_t best = 0;
@@ -114,7 +114,8 @@ std::optional<Interval> stem_volume(const std::vector<StemSection>& sections, do
   const auto below_top = [&](double shift) {
     double sum = frustum(sections.front().diameter + shift, sections.front().diameter + shift, sections.front().arc);
     for (std::size_t i = 1; i < sections.size(); ++i)
-      sum += frustum(sections[i - 1].diameter + shift, sections[i].diameter + shift, sections[i].arc - sections[i - 1].arc);
+      sum += frustum(sections[i - 1].diameter + shift, sections[i].diameter + shift,
+                     sections[i].arc - sections[i - 1].arc);
     return sum;
   };
   const double top = sections.back().diameter, rest = std::max(0.0, length - sections.back().arc);

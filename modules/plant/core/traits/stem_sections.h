@@ -23,9 +23,9 @@ struct SectionInputs {
   const Trajectory& poses;
   const std::vector<std::uint32_t>& which;  // views that are looked at
   const Pose& T_plant_world;
-  const Points3& solid;  // plant axes: everything that may hide the stem
-  double spacing = 0;    // of its points
-  const StemFit& known;  // at the height of measurement
+  const Points3& solid;       // plant axes: everything that may hide the stem
+  double spacing = 0;         // of its points
+  const StemFit& known;       // at the height of measurement
   const StripSearch& search;  // that it was found with: light and point spread
   double stretch = 0.024;     // length of a piece, metres
   double pose_sigma_px = 1;

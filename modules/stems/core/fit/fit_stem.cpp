@@ -138,8 +138,8 @@ class StemFitter {
 
   StemFitResult again(const Stem& before) const {
     StemFitResult result;
-    AxisLine axis{before.breast_height, before.direction,
-                  before.radius - (before.along_rays ? bark_.relief_m : 0), before.taper};
+    AxisLine axis{before.breast_height, before.direction, before.radius - (before.along_rays ? bark_.relief_m : 0),
+                  before.taper};
     for (int round = 0; round < max_rounds; ++round) {
       const auto attempt = prepare(axis, max_gathered);
       if (!has_sections(attempt, result)) break;
