@@ -10,9 +10,10 @@ namespace bole::plant {
 namespace {
 
 constexpr std::size_t min_views = 5;
-constexpr double max_growth = 1.08;  // of a diameter over the one below: more is a node
-constexpr double min_rise = 0.7;     // per length of stem: 45 degrees
-constexpr double tip_share = 0.35;   // how thin a stem becomes up to its tip, for a first guess
+constexpr double max_growth = 1.08;    // of a diameter over the one below: more is a node
+constexpr double min_rise = 0.7;       // per length of stem: 45 degrees
+constexpr double foot_flare_sd = 0.1;  // of the cross-section below the lowest section: it swells by an unknown amount
+constexpr double tip_share = 0.35;     // how thin a stem becomes up to its tip, for a first guess
 
 // The axis of a piece, as a straight line in plan.
 StemCurve piece_of(const AxisCurve& stem, double arc, double stretch) {
@@ -30,24 +31,33 @@ struct Piece {
   StripSearch search;
 };
 
+// The search for a piece around `arc`; nothing where it lies too flat.
+std::optional<Piece> piece_at(const SectionInputs& in, const AxisCurve& stem, double known_arc, double arc,
+                              double stretch) {
+  const double length = stem.length(), rise = stem.tangent(arc, stretch / 2).z();
+  if (rise < min_rise) return std::nullopt;
+  Piece piece{arc, in.search};
+  auto& search = piece.search;
+  search.axis = piece_of(stem, arc, stretch);
+  const double up = length > known_arc ? std::clamp((arc - known_arc) / (length - known_arc), 0.0, 1.0) : 0.0;
+  search.radius = in.known.diameter / 2 * (1 - up * (1 - tip_share));
+  search.radius_share = 1.9;
+  search.shift = 0.5 * in.known.diameter;
+  search.bottom = search.axis.height - 0.5 * stretch * rise;
+  search.top = search.axis.height + 0.5 * stretch * rise;
+  return piece;
+}
+
 std::vector<Piece> pieces_of(const SectionInputs& in, const AxisCurve& stem, double known_arc) {
   std::vector<Piece> pieces;
-  const double length = stem.length(), stretch = in.stretch;
-  const double lowest = known_arc - stretch * std::floor((known_arc - stretch / 2) / stretch);
-  for (double arc = std::max(lowest, stretch / 2); arc + stretch / 2 <= length; arc += stretch) {
-    if (stem.tangent(arc, stretch / 2).z() < min_rise) continue;
-    Piece piece{arc, in.search};
-    auto& search = piece.search;
-    search.axis = piece_of(stem, arc, stretch);
-    const double up = length > known_arc ? std::clamp((arc - known_arc) / (length - known_arc), 0.0, 1.0) : 0.0;
-    search.radius = in.known.diameter / 2 * (1 - up * (1 - tip_share));
-    search.radius_share = 1.9;
-    search.shift = 0.5 * in.known.diameter;
-    const double half = 0.5 * stretch * stem.tangent(arc, stretch / 2).z();
-    search.bottom = search.axis.height - half;
-    search.top = search.axis.height + half;
-    pieces.push_back(std::move(piece));
-  }
+  const double stretch = in.stretch;
+  const double lowest = std::max(known_arc - stretch * std::floor((known_arc - stretch / 2) / stretch), stretch / 2);
+  const auto add = [&](double arc, double of_length) {
+    if (auto piece = piece_at(in, stem, known_arc, arc, of_length)) pieces.push_back(std::move(*piece));
+  };
+  // What is left below, where stems are thickest.
+  if (const double foot = lowest - stretch / 2; foot > stretch / 3) add(foot / 2, foot);
+  for (double arc = lowest; arc + stretch / 2 <= stem.length(); arc += stretch) add(arc, stretch);
   return pieces;
 }
 
@@ -72,6 +82,13 @@ std::vector<StemSection> thinning_upwards(const std::vector<StemSection>& found)
   }
   std::ranges::reverse(kept);
   return kept;
+}
+
+// The diameter at the soil: as it grows downwards between the lowest two sections.
+double foot_diameter(const std::vector<StemSection>& sections) {
+  const auto &first = sections[0], &second = sections[1];
+  const double growth = (first.diameter - second.diameter) / (second.arc - first.arc);
+  return std::clamp(first.diameter + growth * first.arc, first.diameter, 1.2 * first.diameter);
 }
 
 double frustum(double d1, double d2, double length) {
@@ -110,9 +127,10 @@ double diameter_at(const std::vector<StemSection>& sections, double arc, double 
 std::optional<Interval> stem_volume(const std::vector<StemSection>& sections, double length, double shared_sd,
                                     double length_sd) {
   if (sections.size() < 2 || sections.back().arc - sections.front().arc < 0.5 * length) return std::nullopt;
+  const double foot = foot_diameter(sections);
   // By diameter `shift` larger than measured: also the derivative by an error that all share.
   const auto below_top = [&](double shift) {
-    double sum = frustum(sections.front().diameter + shift, sections.front().diameter + shift, sections.front().arc);
+    double sum = frustum(foot + shift, sections.front().diameter + shift, sections.front().arc);
     for (std::size_t i = 1; i < sections.size(); ++i)
       sum += frustum(sections[i - 1].diameter + shift, sections[i].diameter + shift,
                      sections[i].arc - sections[i - 1].arc);
@@ -129,7 +147,9 @@ std::optional<Interval> stem_volume(const std::vector<StemSection>& sections, do
   }
   const double at_tip = std::numbers::pi / 4 * top * top / 2 * length_sd;
   const double form = (cylinder - cone) / 2 / std::sqrt(3.0);  // anything between both is as likely
-  const double half = 1.96 * std::sqrt(whole_shift * whole_shift + own + at_tip * at_tip + form * form);
+  const double at_foot = foot_flare_sd * std::numbers::pi / 4 * foot * foot * sections.front().arc;
+  const double half =
+      1.96 * std::sqrt(whole_shift * whole_shift + own + at_tip * at_tip + form * form + at_foot * at_foot);
   return Interval{value, std::max(0.0, value - half), value + half};
 }
 

@@ -39,9 +39,9 @@ std::vector<StemSection> measure_sections(const SectionInputs& inputs, const Axi
 // Between the sections, and half a piece beyond them; NaN elsewhere.
 double diameter_at(const std::vector<StemSection>& sections, double arc, double stretch);
 
-// Volume of the stem from the soil to its tip (cubic metres): frusta between the sections, the lowest one down to the
-// soil, and above the highest one a form between a cone and a cylinder. `shared_sd`: error of all diameters together;
-// `length_sd`: of the stem. Nothing where the sections cover less than half of the stem.
+// Volume of the stem from the soil to its tip (cubic metres): frusta between the sections, the lowest one thickening on
+// down to the soil, and above the highest one a form between a cone and a cylinder. `shared_sd`: error of all diameters
+// together; `length_sd`: of the stem. Nothing where the sections cover less than half of the stem.
 std::optional<Interval> stem_volume(const std::vector<StemSection>& sections, double length, double shared_sd,
                                     double length_sd);
 
