@@ -5,11 +5,11 @@
 #include "plant/core/field/field_cloud.h"
 #include "plant/core/field/field_store.h"
 #include "plant/core/field/render_view.h"
-#include "plant/core/field/train_field.h"
 #include "plant/core/mvs/match_views.h"
 #include "plant/core/separate/separate.h"
 #include "plant/core/surface/surface_points.h"
 #include "plant/core/surface/tsdf.h"
+#include "plant/core/training/train_field.h"
 #include "plant/core/traits/traits.h"
 
 namespace bole::plant {
@@ -69,7 +69,7 @@ pipeline::StageType field_stage() {
   t.help =
       "Learns density and colour of the plant from the colour and depth of all views by volume rendering, tests the "
       "field on views that were kept back, and makes a fine coloured cloud of it: points where half of the light of a "
-      "ray is stopped, kept where several views agree. Finishing early keeps the field as it is.";
+      "ray is stopped, kept where several views agree. Finishing early keeps the best field so far.";
   t.source = "Mildenhall et al.: NeRF. ECCV 2020; SPEC C";
   t.inputs = {{"views", DataKind::views, "Views with colour, and depth where there is any.", false, {}},
               {"poses", DataKind::trajectory, "Pose of each view, at its time.", false, {}}};

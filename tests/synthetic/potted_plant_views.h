@@ -3,6 +3,9 @@
 #pragma once
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <mutex>
 
 #include "synthetic/potted_plant.h"
 
@@ -18,12 +21,17 @@ struct PictureSettings {
   double pose_noise = 0.0003;           // metres, of the given poses
   bool srgb = true;                     // false: codes are light
   std::array<double, 5> distortion{};
+  double top = 0.055;  // of the stem that is traced, above the soil
   std::uint64_t seed = 1;
 };
 
 class PottedPlantViews : public ViewSource {
  public:
-  PottedPlantViews(const PottedPlant& plant, const PictureSettings& settings) : plant_(plant), s_(settings) {
+  PottedPlantViews(const PottedPlant& plant, const PictureSettings& settings)
+      : plant_(plant),
+        s_(settings),
+        made_(static_cast<std::size_t>(settings.views)),
+        pictures_(static_cast<std::size_t>(settings.views)) {
     camera_.color = {s_.width, s_.height, s_.focal, s_.focal, s_.width / 2.0 - 3, s_.height / 2.0 + 5, s_.distortion};
     Random random(s_.seed, 9);
     for (int i = 0; i < s_.views; ++i) {
@@ -53,7 +61,12 @@ class PottedPlantViews : public ViewSource {
   const Trajectory& given_poses() const override { return given_; }
   std::string description() const override { return "potted plant"; }
   std::string locator() const override { return "{}"; }
-  void read(std::size_t i, View& view, ViewParts) const override { view.color = picture(i); }
+  // A picture is traced once; it takes some tenths of a second.
+  void read(std::size_t i, View& view, ViewParts) const override {
+    // Isolated, so that a thread that waits here takes no other view, which might wait for this one.
+    std::call_once(made_[i], [&] { tbb::this_task_arena::isolate([&] { pictures_[i] = picture(i); }); });
+    view.color = pictures_[i];
+  }
 
  private:
   struct Ray {
@@ -139,7 +152,7 @@ class PottedPlantViews : public ViewSource {
     const Pose& pose = true_[index];
     const auto& camera = camera_.color;
     Eigen::Vector2d low(1e9, 1e9), high(-1e9, -1e9);
-    for (double z = 0.008; z <= 0.055; z += 0.002) {
+    for (double z = 0.008; z <= s_.top; z += 0.002) {
       const auto at = camera.project(pose.inverse() * plant_.axis(z));
       low = low.cwiseMin(*at);
       high = high.cwiseMax(*at);
@@ -204,6 +217,8 @@ class PottedPlantViews : public ViewSource {
   RgbdCamera camera_;
   std::vector<Pose> true_;
   Trajectory given_;
+  mutable std::vector<std::once_flag> made_;
+  mutable std::vector<ColorImage> pictures_;
 };
 
 }  // namespace bole::tests

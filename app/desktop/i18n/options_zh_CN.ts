@@ -3094,12 +3094,16 @@
             <translation>单次测距的标准差;点云(cloud):按点云所给。传感器噪声较大时,它会提高 max_sigma。</translation>
         </message>
         <message>
-            <source>Mean depth of the bark fissures below the ridges on which a tape lies; the ray model adds it to the radius. A convention: the points do not show it. 0: diameters of the mean bark; medium bark 1 mm, pine or oak more.</source>
-            <translation>树皮裂缝相对于卷尺所贴树皮棱脊的平均深度;射线模型将其加到半径上。这是约定,点云并不显示它。0:平均树皮处的直径;中等树皮 1 mm,松树或栎树更大。</translation>
+            <source>Bark of the stand, which the points do not show: mean adds nothing (a convention); smooth (beech), scaly (spruce), ridged (ash), plated (pine) and furrowed (oak) add what a tape over the ridges reads more, with wider intervals. Or the path of a JSON file.</source>
+            <translation>林分的树皮，点云并不显示它：mean 不增加任何值（约定）；smooth（山毛榉）、scaly（云杉）、ridged（白蜡树）、plated（松树）和 furrowed（栎树）加上卷尺贴在棱脊上多读出的量，区间也更宽。也可以是 JSON 文件的路径。</translation>
         </message>
         <message>
-            <source>Standard deviation of bark_relief: how far the bark may be from the convention. The intervals allow for it.</source>
-            <translation>bark_relief 的标准差:树皮可能偏离约定的程度。区间已将其计入。</translation>
+            <source>Mean depth of the bark fissures below the ridges on which a tape lies; the ray model adds it to the radius. bark: as the option bark says.</source>
+            <translation>树皮裂缝相对于卷尺所贴树皮棱脊的平均深度；射线模型将其加到半径上。bark：按选项 bark。</translation>
+        </message>
+        <message>
+            <source>Standard deviation of bark_relief, which the intervals allow for. bark: as the option bark says.</source>
+            <translation>bark_relief 的标准差，区间已将其计入。bark：按选项 bark。</translation>
         </message>
         <message>
             <source>Estimate the mean range error from all stems and remove it. It comes from the lasers, or from poses that lie too close to the stems.</source>
@@ -3440,6 +3444,10 @@
         <message>
             <source>Time for the training. It is ended, with its schedule, when this is used up before steps are done.</source>
             <translation>训练时间。时间用完时即使步数未满，训练也会按计划结束。</translation>
+        </message>
+        <message>
+            <source>File that keeps the state of the training, written every half minute. A training that was interrupted, or ended early, goes on from it.</source>
+            <translation>保存训练状态的文件，每半分钟写一次。被中断或提前结束的训练从它继续。</translation>
         </message>
         <message>
             <source>Steps of the training. More steps give a sharper field.</source>

@@ -423,8 +423,8 @@
             <translation>将所有视图的深度图融合为小体素上的截断有符号距离，给出带法向的彩色表面点，需要时生成网格。区域由视图确定。这是 plant.field 的起点，也是与之比较的基准。</translation>
         </message>
         <message>
-            <source>Learns density and colour of the plant from the colour and depth of all views by volume rendering, tests the field on views that were kept back, and makes a fine coloured cloud of it: points where half of the light of a ray is stopped, kept where several views agree. Finishing early keeps the field as it is.</source>
-            <translation>通过体渲染，从所有视图的颜色和深度学习植株的密度和颜色，用保留的视图检验辐射场，并由它生成精细的彩色点云：光线的一半被阻挡之处，且多个视图一致的点。提前结束时保留当前的辐射场。</translation>
+            <source>Learns density and colour of the plant from the colour and depth of all views by volume rendering, tests the field on views that were kept back, and makes a fine coloured cloud of it: points where half of the light of a ray is stopped, kept where several views agree. Finishing early keeps the best field so far.</source>
+            <translation>通过体渲染，从所有视图的颜色和深度学习植株的密度和颜色，用保留的视图检验辐射场，并由它生成精细的彩色点云：光线的一半被阻挡之处，且多个视图一致的点。提前结束时保留目前最好的辐射场。</translation>
         </message>
         <message>
             <source>Renders a trained field from a pose: one of the poses connected, or that of the first view. Gives colours (0 to 1) and depth as rasters whose rows run upwards.</source>

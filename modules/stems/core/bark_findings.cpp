@@ -7,6 +7,7 @@
 
 #include "base/angles.h"
 #include "base/statistics.h"
+#include "stems/core/bark.h"
 #include "stems/core/fit/stem_quality.h"
 
 namespace bole::stems {
@@ -84,13 +85,15 @@ void find_unknown_beam(const std::vector<Stem>& stems, Report& report) {
 }
 
 void tell_bark(const MeasureOptions& options, Report& report) {
-  const double sd_mm = 1e3 * options.bark_relief_sd, added_mm = 2e3 * options.bark_relief;
+  const auto bark = bark_of(options);
+  const double sd_mm = 1e3 * bark.relief_sd_m, added_mm = 2e3 * bark.relief_m;
   report.find(Severity::note, "bark_convention",
               added_mm > 0 ? fmt::format("{:.1f} mm are added to every diameter for the fissures of the bark "
-                                         "(bark_relief), a convention; the intervals allow for +-{:.1f} mm",
-                                         added_mm, 2 * 1.96 * sd_mm)
+                                         "({}), a convention; the intervals allow for +-{:.1f} mm",
+                                         added_mm, options.bark_relief ? "bark_relief" : "bark=" + options.bark,
+                                         2 * 1.96 * sd_mm)
                            : fmt::format("diameters are those of the mean bark: a tape over rough bark reads more. The "
-                                         "intervals allow for +-{:.1f} mm; set bark_relief where the bark is known",
+                                         "intervals allow for +-{:.1f} mm; set stems.bark where it is known",
                                          2 * 1.96 * sd_mm));
 }
 

@@ -139,21 +139,33 @@ const OptionTable& option_table(const MeasureOptions*) {
               Tier::expert,
               "Standard deviation of a single range; cloud: as the cloud says. It raises max_sigma for noisy "
               "sensors."},
-          Option<S, double>{"bark_relief",
-                            &S::bark_relief,
-                            Unit::metre,
-                            {0, 0.03},
-                            Tier::advanced,
-                            "Mean depth of the bark fissures below the ridges on which a tape lies; the ray model adds "
-                            "it to the radius. A convention: the points do not show it. 0: diameters of the mean bark; "
-                            "medium bark 1 mm, pine or oak more."},
-          Option<S, double>{"bark_relief_sd",
-                            &S::bark_relief_sd,
-                            Unit::metre,
-                            {0, 0.03},
-                            Tier::advanced,
-                            "Standard deviation of bark_relief: how far the bark may be from the convention. The "
-                            "intervals allow for it."},
+          Option<S, std::string>{"bark",
+                                 &S::bark,
+                                 TextKind::input_path_or_name,
+                                 {},
+                                 Tier::basic,
+                                 "Bark of the stand, which the points do not show: mean adds nothing (a convention); "
+                                 "smooth (beech), scaly "
+                                 "(spruce), ridged (ash), plated (pine) and furrowed (oak) add what a tape over the "
+                                 "ridges reads more, with "
+                                 "wider intervals. Or the path of a JSON file."},
+          Option<S, std::optional<double>>{
+              "bark_relief",
+              &S::bark_relief,
+              Unit::metre,
+              {0, 0.03},
+              "bark",
+              Tier::advanced,
+              "Mean depth of the bark fissures below the ridges on which a tape lies; the ray model adds it to the "
+              "radius. bark: as the option bark says."},
+          Option<S, std::optional<double>>{"bark_relief_sd",
+                                           &S::bark_relief_sd,
+                                           Unit::metre,
+                                           {0, 0.03},
+                                           "bark",
+                                           Tier::advanced,
+                                           "Standard deviation of bark_relief, which the intervals allow for. bark: as "
+                                           "the option bark says."},
           Option<S, bool>{"estimate_range_offset", &S::estimate_range_offset, Tier::expert,
                           "Estimate the mean range error from all stems and remove it. It comes from the lasers, or "
                           "from poses that lie too close to the stems."},
@@ -208,8 +220,8 @@ const OptionTable& option_table(const MeasureOptions*) {
                             "Points closer to the fitted surface than this are marked as bark."},
           OnlyIf{"model",
                  {"auto", "ray"},
-                 {"ray_gate", "beam_divergence", "beam_divergence_sd", "beam_aperture", "bark_relief", "bark_relief_sd",
-                  "estimate_range_offset"}},
+                 {"ray_gate", "beam_divergence", "beam_divergence_sd", "beam_aperture", "bark", "bark_relief",
+                  "bark_relief_sd", "estimate_range_offset"}},
           OnlyIf{"estimate_range_offset", {"true"}, {"range_offset_sd"}},
       },
       [](const S& s) {

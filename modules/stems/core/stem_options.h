@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "base/option.h"
@@ -40,8 +41,8 @@ struct MeasureOptions {
   double ray_gate = 0.95;
   // Without a value: as the cloud says.
   std::optional<double> beam_divergence_mrad, beam_divergence_sd_mrad, beam_aperture, range_noise;
-  double bark_relief = 0;
-  double bark_relief_sd = 0.0008;
+  std::string bark = "mean";
+  std::optional<double> bark_relief, bark_relief_sd;  // without a value: as the bark says
   bool estimate_range_offset = true;
   std::optional<double> range_offset_sd;  // without a value: by the number of lasers
   double range_bias = 0.0004;

@@ -14,7 +14,7 @@
 #include "folder_views.h"
 #include "plant/core/field/build_space.h"
 #include "plant/core/field/field_cloud.h"
-#include "plant/core/field/train_field.h"
+#include "plant/core/training/train_field.h"
 #include "synthetic/plant_scene.h"
 
 namespace {

@@ -17,7 +17,7 @@ import re
 import subprocess
 import time
 
-TRAITS = {"height": "mm", "breadth_length": "mm", "breadth_width": "mm", "stem_diameter": "mm", "leaf_area": "cm2"}
+TRAITS = {"height": "mm", "breadth_length": "mm", "breadth_width": "mm", "stem_diameter": "mm", "leaf_area": "cm2", "stem_volume": "cm3"}
 PUBLISHED = {"height": 97.94, "breadth_length": 93.95, "breadth_width": 94.11, "stem_diameter": 97.62}
 PIPELINE = pathlib.Path(__file__).resolve().parents[3] / "pipelines/seedling.json"
 

@@ -8,12 +8,15 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "modules/io/io_test_tools.h"
 #include "plant/core/field/build_space.h"
 #include "plant/core/field/field_cloud.h"
 #include "plant/core/field/field_store.h"
 #include "plant/core/field/grid_encoder.h"
-#include "plant/core/field/train_field.h"
-#include "plant/core/field/train_step.h"
+#include "plant/core/training/held_out.h"
+#include "plant/core/training/train_field.h"
+#include "plant/core/training/train_step.h"
+#include "plant/core/training/training_state.h"
 #include "synthetic/plant_scene.h"
 
 namespace bole::plant {
@@ -102,14 +105,17 @@ TEST(Field, SameResultWithOneThreadAndWithTwo) {
   auto options = small_options();
   options.steps = 12;
   options.region = "-0.2 -0.2 -0.02 0.2 0.2 0.2";
-  std::vector<float> first, second;
-  for (auto* parameters : {&first, &second}) {
-    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, parameters == &first ? 1 : 2);
-    auto t = train(views, options);
-    t.field.model.encoder->visit_parameters(
-        [&](std::span<float> values) { parameters->insert(parameters->end(), values.begin(), values.end()); });
+  for (const auto kind : {EncoderKind::grid, EncoderKind::hash, EncoderKind::paper}) {
+    options.encoder = kind;
+    std::vector<float> first, second;
+    for (auto* parameters : {&first, &second}) {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, parameters == &first ? 1 : 2);
+      auto t = train(views, options);
+      t.field.model.encoder->visit_parameters(
+          [&](std::span<float> values) { parameters->insert(parameters->end(), values.begin(), values.end()); });
+    }
+    EXPECT_EQ(first, second) << choice_name(kind);
   }
-  EXPECT_EQ(first, second);
 }
 
 TEST(Field, FinishKeepsTheBestSoFar) {
@@ -128,6 +134,123 @@ TEST(Field, FinishKeepsTheBestSoFar) {
   EXPECT_EQ(report.status, Status::finished_early);
   EXPECT_EQ(report.counts.at("steps"), 0);
   EXPECT_TRUE(std::isfinite(field.psnr));
+}
+
+// The parameters of a field and the poses of its views, one after another.
+std::vector<float> learnt(const TrainedField& field) {
+  std::vector<float> out;
+  field.model.encoder->visit_parameters(
+      [&](std::span<float> values) { out.insert(out.end(), values.begin(), values.end()); });
+  for (const auto& p : field.poses.poses)
+    for (int k = 0; k < 3; ++k) out.push_back(static_cast<float>(p.T_target_sensor.translation()(k)));
+  return out;
+}
+
+// Stops the training by `finish` once it has told of this step.
+Trained train_up_to(const PlantSceneViews& views, const FieldOptions& options, int step) {
+  Trained out;
+  std::stop_source finish;
+  bole::Run run;
+  run.finish = finish.get_token();
+  run.progress = [&](double, std::string_view what) {
+    if (what.starts_with("step " + std::to_string(step) + ",")) finish.request_stop();
+  };
+  const auto posed = posed_views(views, views.given_poses(), 3, out.report);
+  out.field = train_field(views, posed, *region_from_text(options.region), options, run, out.report);
+  return out;
+}
+
+class Checkpoint : public testing::TestWithParam<EncoderKind> {};
+
+TEST_P(Checkpoint, AnInterruptedTrainingEndsAsIfItHadNotBeen) {
+  PlantSceneViews::Settings settings;
+  settings.views = 12;
+  settings.width = 80;
+  settings.height = 60;
+  settings.focal = 75;
+  const PlantSceneViews views(settings);
+  const testing_io::TempDir folder;
+  auto options = small_options();
+  options.encoder = GetParam();
+  options.steps = 60;
+  options.rays = 512;
+  options.region = "-0.2 -0.2 -0.02 0.2 0.2 0.2";
+  const auto whole = train(views, options);
+  options.checkpoint = (folder.path() / "training").string();
+  for (const int step : {10, 40}) {  // before and after the space is reshaped and the poses begin to move
+    const auto part = train_up_to(views, options, step);
+    EXPECT_EQ(part.report.status, Status::finished_early);
+    EXPECT_EQ(part.report.counts.at("steps"), step);
+    EXPECT_TRUE(std::filesystem::exists(options.checkpoint));
+  }
+  const auto rest = train(views, options);
+  EXPECT_EQ(learnt(rest.field), learnt(whole.field));
+  EXPECT_EQ(rest.field.psnr, whole.field.psnr);
+  EXPECT_EQ(rest.field.progress.numbers("psnr_db"), whole.field.progress.numbers("psnr_db"));
+  EXPECT_FALSE(std::filesystem::exists(options.checkpoint));  // nothing is left to go on with
+}
+
+INSTANTIATE_TEST_SUITE_P(Encoders, Checkpoint,
+                         testing::Values(EncoderKind::grid, EncoderKind::hash, EncoderKind::paper),
+                         [](const auto& p) { return std::string(choice_name(p.param)); });
+
+TEST(Field, CheckpointsOfOthersAndDamagedOnesAreRefused) {
+  PlantSceneViews::Settings settings;
+  settings.views = 10;
+  settings.width = 40;
+  settings.height = 30;
+  settings.focal = 37;
+  const PlantSceneViews views(settings);
+  const testing_io::TempDir folder;
+  auto options = small_options();
+  options.voxel = 0.02;
+  options.steps = 30;
+  options.rays = 64;
+  options.region = "-0.2 -0.2 -0.02 0.2 0.2 0.2";
+  options.checkpoint = (folder.path() / "training").string();
+  train_up_to(views, options, 10);
+  const auto refusal = [&](const FieldOptions& o) -> std::string {
+    try {
+      train_up_to(views, o, 20);
+    } catch (const Error& e) {
+      return e.what();
+    }
+    return "";
+  };
+  auto other = options;
+  other.depth_weight = 0.5;
+  EXPECT_THAT(refusal(other), testing::HasSubstr("belongs to another training"));
+  const auto size = std::filesystem::file_size(options.checkpoint);
+  std::filesystem::resize_file(options.checkpoint, size - 1000);
+  EXPECT_THAT(refusal(options), testing::HasSubstr("is damaged"));
+  std::filesystem::resize_file(options.checkpoint, 0);
+  EXPECT_THAT(refusal(options), testing::HasSubstr("it has 0 bytes"));
+}
+
+// A field that gets worse while it is trained: the best one is kept when the training is ended by hand.
+TEST(Field, BestFieldIsRestored) {
+  PlantSceneViews::Settings settings;
+  settings.views = 10;
+  settings.width = 80;
+  settings.height = 60;
+  settings.focal = 75;
+  const PlantSceneViews views(settings);
+  auto options = small_options();
+  options.steps = 40;
+  options.region = "-0.2 -0.2 -0.02 0.2 0.2 0.2";
+  auto trained = train(views, options);
+  TrainingState state(std::move(trained.field.model), std::move(trained.field.views));
+  BestField best;
+  const double good = quick_psnr(state.model, state.views, bole::Run{});
+  best.offer(state, good);
+  state.model.encoder->visit_parameters([](std::span<float> values) {
+    for (float& v : values) v = 0;
+  });
+  const double bad = quick_psnr(state.model, state.views, bole::Run{});
+  ASSERT_LT(bad, good - 3);
+  best.offer(state, bad);  // is no better
+  best.restore(state, options, true);
+  EXPECT_EQ(quick_psnr(state.model, state.views, bole::Run{}), good);
 }
 
 TEST(Field, KeptFieldRendersTheSame) {

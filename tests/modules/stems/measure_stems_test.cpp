@@ -85,7 +85,7 @@ TEST(MeasureStems, TrueDiametersComeBackAlongRays) {
   MeasureOptions along_rays;
   // These stems are smooth, and their rays thin.
   along_rays.model = FitModel::ray;
-  along_rays.bark_relief = 0;
+  along_rays.bark_relief = 0.0;
   along_rays.beam_divergence_mrad = 0;
   along_rays.beam_aperture = 0;
   const auto survey = measure(cloud, along_rays);

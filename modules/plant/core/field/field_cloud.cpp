@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plant/core/field/train_step.h"
 #include "plant/core/surface/depth_maps.h"
+#include "plant/core/training/train_step.h"
 
 namespace bole::plant {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "cloud/point_cloud.h"
-#include "plant/core/field/train_field.h"
+#include "plant/core/training/train_field.h"
 
 namespace bole::plant {
 

@@ -33,6 +33,8 @@ class FieldEncoder {
   // All parameters one after another, for checkpoints and tests.
   virtual std::size_t parameter_count() const = 0;
   virtual void visit_parameters(const std::function<void(std::span<float>)>& visit) = 0;
+  // What Adam remembers of the gradients before, as many numbers twice: with the parameters all that update() changes.
+  virtual void visit_moments(const std::function<void(std::span<float>)>& visit) = 0;
   // The gradients added up, in the order of the parameters. Slow: for tests.
   virtual std::vector<float> gradients() const = 0;
 };

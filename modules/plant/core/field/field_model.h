@@ -25,6 +25,7 @@ class Environment {
   void add_gradient(const Place& place, const Eigen::Vector3f& by_color);
   void update(const AdamStep& step);
   std::vector<Eigen::Array3f>& values() { return values_; }
+  std::array<std::vector<Eigen::Array3f>*, 2> moments() { return {&first_, &second_}; }  // of Adam
   const std::vector<Eigen::Array3f>& values() const { return values_; }
 
  private:

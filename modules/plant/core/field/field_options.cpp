@@ -37,6 +37,13 @@ const OptionTable& option_table(const FieldOptions*) {
                             Tier::basic,
                             "Time for the training. It is ended, with its schedule, when this is used up before "
                             "steps are done."},
+          Option<S, std::string>{"checkpoint",
+                                 &S::checkpoint,
+                                 TextKind::plain,
+                                 {},
+                                 Tier::advanced,
+                                 "File that keeps the state of the training, written every half minute. A training "
+                                 "that was interrupted, or ended early, goes on from it."},
           Option<S, int>{"steps",
                          &S::steps,
                          Unit::none,

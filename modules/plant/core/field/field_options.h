@@ -28,6 +28,7 @@ struct FieldOptions {
   FieldExtent extent = FieldExtent::standing;
   Background background = Background::scene;
   double max_seconds = 240;
+  std::string checkpoint;
   int steps = 3000;
   int rays = 4096;
   int max_width = 640;

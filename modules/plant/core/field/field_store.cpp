@@ -9,6 +9,7 @@
 #include "plant/core/field/grid_reshape.h"
 #include "plant/core/field/hash_encoder.h"
 #include "plant/core/field/paper_encoder.h"
+#include "plant/core/field/space_store.h"
 
 namespace bole::plant {
 namespace {
@@ -37,87 +38,13 @@ Eigen::Array4f unpack(double number) {
   return value;
 }
 
-Error damaged(const std::string& what) {
-  return bad_input("the table is no field: " + what, "the output 'field' of plant.field");
-}
-
-// Numbers one after another, each checked.
-class Numbers {
- public:
-  explicit Numbers(std::vector<double> values) : values_(std::move(values)) {}
-  double next(double min, double max) {
-    if (at_ >= values_.size()) throw damaged("it ends early");
-    const double v = values_[at_++];
-    if (!(v >= min && v <= max)) throw damaged("value " + std::to_string(at_) + " is " + std::to_string(v));
-    return v;
-  }
-  std::size_t left() const { return values_.size() - at_; }
-
- private:
-  std::vector<double> values_;
-  std::size_t at_ = 0;
-};
-
 json camera_json(const CameraModel& c) {
   return {{"width", c.width}, {"height", c.height},        {"fx", c.fx}, {"fy", c.fy}, {"cx", c.cx},
           {"cy", c.cy},       {"distortion", c.distortion}};
 }
 
-void store_space(const FieldSpace& space, json& facts, std::vector<double>& values) {
-  facts["origin"] = {space.origin.x(), space.origin.y(), space.origin.z()};
-  facts["step"] = space.step;
-  for (const auto& box : space.boxes) {
-    std::size_t sampled = 0;
-    for (const auto mask : box.cells) sampled += mask != 0;
-    facts["boxes"].push_back({{"min", {box.min.x(), box.min.y(), box.min.z()}},
-                              {"voxel", box.voxel},
-                              {"blocks", {box.blocks.x(), box.blocks.y(), box.blocks.z()}},
-                              {"sampled", sampled}});
-    for (std::size_t i = 0; i < box.places.size(); ++i) {
-      if (box.cells[i] == 0) continue;
-      values.push_back(static_cast<double>(box.block_index(box.places[i])));
-      values.push_back(static_cast<double>(box.cells[i] >> 32));
-      values.push_back(static_cast<double>(box.cells[i] & 0xFFFFFFFFU));
-    }
-  }
-}
-
-std::shared_ptr<const FieldSpace> load_space(const json& facts, Numbers& numbers) {
-  auto space = std::make_shared<FieldSpace>();
-  for (int k = 0; k < 3; ++k) space->origin(k) = facts.at("origin").at(static_cast<std::size_t>(k)).get<double>();
-  space->step = facts.at("step").get<float>();
-  if (!(space->step > 0.01F && space->step < 100)) throw damaged("its step is out of range");
-  const auto& boxes = facts.at("boxes");
-  if (boxes.empty() || boxes.size() > FieldSpace::max_boxes)
-    throw damaged("it has " + std::to_string(boxes.size()) + " boxes");
-  for (const auto& j : boxes) {
-    FieldBox box;
-    double places = 1;
-    for (std::size_t k = 0; k < 3; ++k) {
-      box.min(static_cast<int>(k)) = j.at("min").at(k).get<float>();
-      box.blocks(static_cast<int>(k)) = j.at("blocks").at(k).get<int>();
-      if (box.blocks(static_cast<int>(k)) < 1) throw damaged("a box has no blocks");
-      places *= box.blocks(static_cast<int>(k));
-    }
-    box.voxel = j.at("voxel").get<float>();
-    const auto sampled = j.at("sampled").get<std::size_t>();
-    if (!(places <= 100e6) || !(box.voxel > 0) || !box.min.allFinite() || sampled * 3 > numbers.left())
-      throw damaged("a box is larger than its numbers");
-    box.block_of.assign(static_cast<std::size_t>(places), -1);
-    std::vector<std::uint64_t> masks(box.block_of.size(), 0);
-    for (std::size_t i = 0; i < sampled; ++i) {
-      const auto place = static_cast<std::size_t>(numbers.next(0, places - 1));
-      const auto high = static_cast<std::uint64_t>(numbers.next(0, 4294967295.0));
-      masks[place] = high << 32 | static_cast<std::uint64_t>(numbers.next(0, 4294967295.0));
-    }
-    space->boxes.push_back(std::move(box));
-    space->set_cells(space->boxes.size() - 1, masks);
-  }
-  return space;
-}
-
-void read_parameters(FieldEncoder& encoder, Numbers& numbers) {
-  if (encoder.parameter_count() > numbers.left()) throw damaged("it ends early");
+void read_parameters(FieldEncoder& encoder, StoredNumbers& numbers) {
+  if (encoder.parameter_count() > numbers.left()) throw damaged_field("it ends early");
   encoder.visit_parameters([&](std::span<float> p) {
     for (float& v : p) v = static_cast<float>(numbers.next(-1e6, 1e6));
   });
@@ -169,11 +96,12 @@ Table store_field(const FieldModel& field, const FieldView& first_view) {
 
 StoredField load_field(const Table& table) {
   const auto fact = table.facts.find("field");
-  if (fact == table.facts.end() || !table.has("value")) throw damaged("it has no fact 'field' or no column 'value'");
+  if (fact == table.facts.end() || !table.has("value"))
+    throw damaged_field("it has no fact 'field' or no column 'value'");
   StoredField out;
   try {
     const auto facts = json::parse(fact->second);
-    Numbers numbers(table.numbers("value"));
+    StoredNumbers numbers(table.numbers("value"));
     out.model.background = choice_from_name<Background>(facts.at("background").get<std::string>());
     out.model.environment = Environment(out.model.background);
     const auto& c = facts.at("camera");
@@ -187,7 +115,7 @@ StoredField load_field(const Table& table) {
     out.model.space = space;
     if (facts.at("encoder") == "grid") {
       auto grid = std::make_unique<GridEncoder>(space, GridEncoder::Rates{});
-      if (grid->parameter_count() / 4 > numbers.left()) throw damaged("it ends early");
+      if (grid->parameter_count() / 4 > numbers.left()) throw damaged_field("it ends early");
       for (std::size_t b = 0; b < space->boxes.size(); ++b)
         for (std::size_t block = 0; block < space->boxes[b].places.size(); ++block)
           for (std::size_t v = 0; v < FieldBox::block_voxels; ++v)
@@ -216,7 +144,7 @@ StoredField load_field(const Table& table) {
     for (auto& value : out.model.environment.values())
       for (int k = 0; k < 3; ++k) value(k) = static_cast<float>(numbers.next(-1e3, 1e3));
   } catch (const json::exception& e) {
-    throw damaged(e.what());
+    throw damaged_field(e.what());
   }
   out.model.exposures = Exposures(0);
   return out;

@@ -179,6 +179,12 @@ void GridEncoder::visit_parameters(const std::function<void(std::span<float>)>& 
     if (!v.values.empty()) visit({v.values.front().data(), v.values.size() * 4});
 }
 
+void GridEncoder::visit_moments(const std::function<void(std::span<float>)>& visit) {
+  for (auto& v : boxes_)
+    for (auto* moment : {&v.first, &v.second})
+      if (!moment->empty()) visit({moment->front().data(), moment->size() * 4});
+}
+
 std::vector<float> GridEncoder::gradients() const {
   std::vector<float> all;
   for (const auto& v : boxes_)

@@ -21,6 +21,7 @@ class GridEncoder : public FieldEncoder {
   void update(const AdamStep& step) override;
   std::size_t parameter_count() const override;
   void visit_parameters(const std::function<void(std::span<float>)>& visit) override;
+  void visit_moments(const std::function<void(std::span<float>)>& visit) override;
   std::vector<float> gradients() const override;
 
   // Raw values of a lattice point: density, red, green, blue.

@@ -147,11 +147,11 @@ void HashEncoder::backward(RayChunk& chunk) const {
     d_color.col(i) = (chunk.d_color[s].array() * chunk.color[s].array() * (1 - chunk.color[s].array())).matrix();
   }
   fourth_.weights(g).noalias() += d_color * second_hidden.transpose();
-  fourth_.bias(g) += d_color.rowwise().sum();
+  add_columns(d_color, fourth_.bias(g));
   Eigen::MatrixXf d_hidden = fourth_.weights(p).transpose() * d_color;
   d_hidden = (second_hidden.array() > 0).select(d_hidden, 0.0F);
   third_.weights(g).noalias() += d_hidden * second_input.transpose();
-  third_.bias(g) += d_hidden.rowwise().sum();
+  add_columns(d_hidden, third_.bias(g));
   d_out.bottomRows(geometry - 1).noalias() = third_.weights(p).leftCols(geometry - 1).transpose() * d_hidden;
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto s = static_cast<std::size_t>(i);
@@ -159,11 +159,11 @@ void HashEncoder::backward(RayChunk& chunk) const {
         chunk.d_density[s] * sigmoid(out(0, i) - density_shift) / space_->boxes[chunk.samples[s].place.box].voxel;
   }
   second_.weights(g).noalias() += d_out * hidden.transpose();
-  second_.bias(g) += d_out.rowwise().sum();
+  add_columns(d_out, second_.bias(g));
   d_hidden.noalias() = second_.weights(p).transpose() * d_out;
   d_hidden = (hidden.array() > 0).select(d_hidden, 0.0F);
   first_.weights(g).noalias() += d_hidden * features.transpose();
-  first_.bias(g) += d_hidden.rowwise().sum();
+  add_columns(d_hidden, first_.bias(g));
   // The features are not needed any more: their derivatives take their place.
   features.noalias() = first_.weights(p).transpose() * d_hidden;
   if (!chunk.wants_d_position) return;
@@ -243,6 +243,12 @@ std::size_t HashEncoder::parameter_count() const {
 void HashEncoder::visit_parameters(const std::function<void(std::span<float>)>& visit) {
   visit(dense_.values);
   for (auto& level : levels_) visit({level.values.front().data(), level.values.size() * 2});
+}
+
+void HashEncoder::visit_moments(const std::function<void(std::span<float>)>& visit) {
+  dense_.visit_moments(visit);
+  for (auto& level : levels_)
+    for (auto* moment : {&level.first, &level.second}) visit({moment->front().data(), moment->size() * 2});
 }
 
 std::vector<float> HashEncoder::gradients() const {

@@ -37,7 +37,17 @@ struct DenseParameters {
   // Appends a layer, its weights uniform in +-sqrt(6 / inputs) (He et al. 2015) times `gain`.
   Layer add(int inputs, int outputs, float gain, std::uint64_t seed);
   void update(float rate, const AdamStep& step);
+  void visit_moments(const std::function<void(std::span<float>)>& visit) {
+    visit(first);
+    visit(second);
+  }
 };
+
+// Adds all columns up, one after another: Eigen's sum over columns takes another order where memory happens to be
+// aligned otherwise, so that one seed would not always give one field.
+inline void add_columns(const Eigen::MatrixXf& columns, Eigen::Map<Eigen::VectorXf> sum) {
+  for (Eigen::Index i = 0; i < columns.cols(); ++i) sum += columns.col(i);
+}
 
 // Real spherical harmonics up to degree 2 of a unit vector.
 constexpr int harmonics = 9;

@@ -103,7 +103,7 @@ void PaperEncoder::backward(RayChunk& chunk) const {
   auto& g = chunk.gradient;
   const auto add = [&](const Layer& layer, const Eigen::MatrixXf& by_output, const SampleColumns& input) {
     layer.weights(g).noalias() += by_output * input.transpose();
-    layer.bias(g) += by_output.rowwise().sum();
+    add_columns(by_output, layer.bias(g));
   };
   Eigen::MatrixXf d_color(3, n), d_head(head_.outputs, n);
   for (Eigen::Index i = 0; i < n; ++i) {

@@ -46,6 +46,7 @@ class PaperEncoder : public FieldEncoder {
   void update(const AdamStep& step) override;
   std::size_t parameter_count() const override { return dense_.values.size(); }
   void visit_parameters(const std::function<void(std::span<float>)>& visit) override { visit(dense_.values); }
+  void visit_moments(const std::function<void(std::span<float>)>& visit) override { dense_.visit_moments(visit); }
   std::vector<float> gradients() const override { return dense_.gradients; }
   const Settings& settings() const { return settings_; }
 

@@ -106,7 +106,8 @@ void add_leaf_columns(Table& traits, const LeafTraits& leaves, const LeafInputs&
   set("stem_length", "mm", 1000 * length, 1000 * (length - half), 1000 * (length + half + 0.6 * in.unit));
 }
 
-void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& in) {
+void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& in,
+                       const std::function<double(double arc)>& diameter_at) {
   if (leaves.organs.axes.empty() || leaves.organs.axes.front().curve.empty()) return;
   const auto& curve = leaves.organs.axes.front().curve;
   auto height = stem.numbers("height_mm"), x = stem.numbers("x_m"), y = stem.numbers("y_m"), z = stem.numbers("z_m"),
@@ -128,8 +129,9 @@ void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& 
     x.insert(x.begin() + at, p.x());
     y.insert(y.begin() + at, p.y());
     z.insert(z.begin() + at, p.z());
-    diameter.insert(diameter.begin() + at, no_number);  // a cloud shows thin stems too wide
-    source.insert(source.begin() + at, "cloud");
+    const double seen = diameter_at(along);
+    diameter.insert(diameter.begin() + at, 1000 * seen);
+    source.insert(source.begin() + at, std::isfinite(seen) ? "contours" : "cloud");
   }
   Table all;
   all.facts = stem.facts;

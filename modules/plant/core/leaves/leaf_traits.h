@@ -1,6 +1,7 @@
 // Leaves, internodes, branches and the whole stem of a plant as tables and columns.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "base/report.h"
@@ -30,8 +31,10 @@ LeafTraits measure_leaves(const LeafInputs& inputs, const Run& run, Report& repo
 // NaN where nothing is known.
 void add_leaf_columns(Table& traits, const LeafTraits& leaves, const LeafInputs& inputs);
 
-// Adds the rest of the main stem, every 5 mm (source cloud), to the sections that were measured; rows go upwards.
-// Their diameters are NaN: a cloud shows thin stems too wide.
-void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& inputs);
+// Adds the rest of the main stem, every 5 mm, to the sections that were measured; rows go upwards. `diameter_at`:
+// metres by the length along the stem from the soil, as the pictures show it (source contours), or NaN (source cloud):
+// a cloud shows thin stems too wide.
+void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& inputs,
+                       const std::function<double(double arc)>& diameter_at);
 
 }  // namespace bole::plant

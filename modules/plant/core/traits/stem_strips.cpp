@@ -11,143 +11,14 @@
 #include "base/statistics.h"
 #include "plant/core/traits/edge_profile.h"
 #include "plant/core/traits/picture_tone.h"
+#include "plant/core/traits/view_stem.h"
 
 namespace bole::plant {
 namespace {
 
 constexpr double margin = 5;           // pixels of background beside the stem
-constexpr double max_half_width = 90;  // pixels; a stem that fills the picture is measured from others
 constexpr double min_contrast = 0.02;  // of 0..1
 constexpr double min_blur_px = 0.5;
-constexpr int depth_block = 4;  // pixels of a cell of the depth picture
-
-const std::array<float, 256>& light_table() {
-  static const auto table = [] {
-    std::array<float, 256> t{};
-    for (std::size_t i = 0; i < 256; ++i) t[i] = static_cast<float>(light_of_code(static_cast<double>(i) / 255));
-    return t;
-  }();
-  return table;
-}
-
-// Where a section lies in the picture.
-struct Section {
-  double z = 0, depth = 0, pixels_per_unit = 0;
-  Eigen::Vector2d place, across, along;  // pixels; across points to the right of the stem's way up
-};
-
-class ViewStem {
- public:
-  ViewStem(const CameraModel& camera, const Pose& T_plant_camera, const StripSearch& search)
-      : camera_(camera), T_plant_camera_(T_plant_camera), search_(search) {
-    const Pose T_camera_plant = T_plant_camera.inverse();
-    for (int i = 0; i < search.sections; ++i) {
-      const double z = search.bottom + (i + 0.5) * (search.top - search.bottom) / search.sections;
-      const Eigen::Vector3d p = T_camera_plant * search.axis.at(z);
-      const double step = 0.25 * search.radius;
-      const Eigen::Vector3d q = T_camera_plant * (search.axis.at(z) + step * search.axis.tangent(z));
-      const auto at = camera.project(p), next = camera.project(q);
-      if (!at || !next || !camera.contains(*at)) continue;
-      Section s;
-      s.z = z;
-      s.depth = p.z();
-      s.place = *at;
-      const Eigen::Vector2d d = *next - *at;
-      // Looked at along its axis a stem has no sides.
-      if (d.norm() < 0.35 * step * std::abs(camera.fx) / p.z()) continue;
-      s.along = d.normalized();
-      s.across = {-s.along.y(), s.along.x()};
-      s.pixels_per_unit = std::abs(camera.fx) / p.z();
-      sections_.push_back(s);
-    }
-  }
-
-  const std::vector<Section>& sections() const { return sections_; }
-  Eigen::Vector3d centre() const { return T_plant_camera_.translation(); }
-
-  // Depth of what is not the stem, in blocks of pixels; the sections behind it are taken out.
-  std::size_t remove_hidden(const Points3& cloud, double spacing) {
-    if (sections_.empty()) return 0;
-    const int columns = camera_.width / depth_block + 1, rows = camera_.height / depth_block + 1;
-    std::vector<float> nearest(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows),
-                               std::numeric_limits<float>::max());
-    Eigen::Vector2d low = sections_.front().place, high = low;
-    for (const auto& s : sections_) {
-      low = low.cwiseMin(s.place);
-      high = high.cwiseMax(s.place);
-    }
-    const double border = 2 * max_half_width + 20;
-    const double clear = std::max(4 * search_.radius, 3 * spacing);
-    const Pose T_camera_plant = T_plant_camera_.inverse();
-    for (const auto& p : cloud) {
-      const Eigen::Vector3d c = T_camera_plant * p;
-      const auto at = camera_.project(c);
-      if (!at || at->x() < low.x() - border || at->y() < low.y() - border || at->x() > high.x() + border ||
-          at->y() > high.y() + border)
-        continue;
-      if (p.z() > search_.bottom - clear && p.z() < search_.top + clear &&
-          (p - search_.axis.at(p.z())).head<2>().norm() < clear)
-        continue;
-      const double splat = 0.7 * spacing * std::abs(camera_.fx) / c.z();
-      const auto cell = [](double v) { return static_cast<int>(std::floor((v + 0.5) / depth_block)); };
-      for (int y = std::max(0, cell(at->y() - splat)); y <= std::min(rows - 1, cell(at->y() + splat)); ++y)
-        for (int x = std::max(0, cell(at->x() - splat)); x <= std::min(columns - 1, cell(at->x() + splat)); ++x) {
-          auto& d =
-              nearest[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)];
-          d = std::min(d, static_cast<float>(c.z()));
-        }
-    }
-    const auto hidden = [&](const Section& s) {
-      const double half = std::min(search_.radius * s.pixels_per_unit + 2.0, max_half_width);
-      for (double off = -half; off <= half; off += depth_block / 2.0) {
-        const Eigen::Vector2d p = s.place + off * s.across;
-        const int x = static_cast<int>(std::floor((p.x() + 0.5) / depth_block));
-        const int y = static_cast<int>(std::floor((p.y() + 0.5) / depth_block));
-        if (x < 0 || y < 0 || x >= columns || y >= rows) continue;
-        if (nearest[static_cast<std::size_t>(y) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(x)] <
-            s.depth - clear / 2)
-          return true;
-      }
-      return false;
-    };
-    return static_cast<std::size_t>(std::erase_if(sections_, hidden));
-  }
-
-  // The picture's own pixels in a strip one and a half pixels thick.
-  std::vector<StripPixel> pixels_of(const Section& s, double half_length, const ColorImage& image) const {
-    std::vector<StripPixel> out;
-    const double reach = half_length + 1;
-    const int x0 = std::max(0, static_cast<int>(std::floor(s.place.x() - reach)));
-    const int x1 = std::min(image.width - 1, static_cast<int>(std::ceil(s.place.x() + reach)));
-    const int y0 = std::max(0, static_cast<int>(std::floor(s.place.y() - reach)));
-    const int y1 = std::min(image.height - 1, static_cast<int>(std::ceil(s.place.y() + reach)));
-    const auto& light = light_table();
-    for (int y = y0; y <= y1; ++y)
-      for (int x = x0; x <= x1; ++x) {
-        const Eigen::Vector2d d(x - s.place.x(), y - s.place.y());
-        const double across = d.dot(s.across);
-        if (std::abs(across) > half_length || std::abs(d.dot(s.along)) > 0.75) continue;
-        StripPixel p;
-        p.across = across;
-        for (int c = 0; c < 3; ++c) {
-          const auto code = image.at(x, y, c);
-          p.value[static_cast<std::size_t>(c)] = search_.linear_light ? light[code] : code / 255.0;
-        }
-        out.push_back(p);
-      }
-    return out;
-  }
-
-  Eigen::Vector3d ray(const Eigen::Vector2d& pixel) const {
-    return (T_plant_camera_.linear() * camera_.direction(pixel)).normalized();
-  }
-
- private:
-  const CameraModel& camera_;
-  Pose T_plant_camera_;
-  const StripSearch& search_;
-  std::vector<Section> sections_;
-};
 
 struct Coarse {
   double middle = 0, width = 0;
@@ -160,7 +31,7 @@ std::optional<Coarse> coarse_edges(const ViewStem& stem, const StripSearch& sear
   const double ppu = sections[sections.size() / 2].pixels_per_unit;
   const double usual = 2 * search.radius * ppu;
   const double shift = std::clamp(search.shift * ppu, 1.5, 40.0);
-  const double widest = std::min(usual * search.radius_share, 2 * max_half_width);
+  const double widest = std::min(usual * search.radius_share, 2 * max_half_width_px);
   const double narrowest = std::max(1.5, usual / search.radius_share);
   if (widest <= narrowest) return std::nullopt;
   const double half = shift + widest / 2 + margin;
@@ -213,7 +84,7 @@ void measure_view(const ViewStem& stem, const StripSearch& search, const ColorIm
     return;
   }
   struct Fitted {
-    const Section* section;
+    const ViewSection* section;
     std::vector<StripPixel> pixels;
     StripEdges edges;
   };
@@ -293,54 +164,84 @@ double usual_spread(const std::vector<ViewUse>& views) {
   return median(std::move(sigmas));
 }
 
-StripsFound find_strips(const ViewSource& views, const Trajectory& poses, const Pose& T_plant_world,
-                        const Points3& cloud, double spacing, const StripSearch& search,
-                        const std::vector<std::uint32_t>& which, const Run& run) {
-  std::vector<ViewUse> uses(which.size());
-  std::vector<std::vector<StemStrip>> strips(which.size());
+namespace {
+
+// One view, for each of the searches.
+void strips_of_view(const ViewSource& views, const Pose& T_plant_camera, const Points3& cloud, double spacing,
+                    std::span<const StripSearch> searches, std::vector<ViewUse>& uses,
+                    std::vector<std::vector<StemStrip>>& strips) {
+  const auto index = uses.front().view;
+  const auto& camera = views.camera(index).color;
+  std::vector<ViewStem> stems;
+  for (std::size_t k = 0; k < searches.size(); ++k) {
+    stems.emplace_back(camera, T_plant_camera, searches[k]);
+    uses[k].tried = stems[k].sections().size();
+    if (uses[k].tried < 3) uses[k].state = "outside";
+  }
+  const auto wanted = [&](const ViewUse& use) { return use.state.empty(); };
+  if (std::ranges::none_of(uses, wanted)) return;
+  const auto nearest = depth_around(camera, T_plant_camera.inverse(), stems, searches, cloud, spacing);
+  for (std::size_t k = 0; k < searches.size(); ++k) {
+    if (!wanted(uses[k])) continue;
+    uses[k].occluded = stems[k].remove_hidden(nearest, spacing);
+    if (stems[k].sections().size() < 3) uses[k].state = "hidden";
+  }
+  if (std::ranges::none_of(uses, wanted)) return;
+  View view;
+  bool readable = true;
+  try {
+    views.read(index, view, {true, false, false});
+    readable = view.color.width == camera.width && view.color.height == camera.height && view.color.channels == 3;
+  } catch (const Error&) {
+    readable = false;
+  }
+  for (std::size_t k = 0; k < searches.size(); ++k) {
+    if (!wanted(uses[k])) continue;
+    if (readable) {
+      measure_view(stems[k], searches[k], view.color, uses[k], strips[k]);
+    } else {
+      uses[k].state = "unreadable";
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<StripsFound> find_strips(const ViewSource& views, const Trajectory& poses, const Pose& T_plant_world,
+                                     const Points3& cloud, double spacing, std::span<const StripSearch> searches,
+                                     const std::vector<std::uint32_t>& which, const Run& run) {
+  std::vector<std::vector<ViewUse>> uses(which.size(), std::vector<ViewUse>(searches.size()));
+  std::vector<std::vector<std::vector<StemStrip>>> strips(which.size(),
+                                                          std::vector<std::vector<StemStrip>>(searches.size()));
   constexpr std::size_t batch = 8;  // progress is told, and cancelling heard, between batches
   for (std::size_t begin = 0; begin < which.size(); begin += batch) {
     run.check_cancel();
     run.report(static_cast<double>(begin) / static_cast<double>(which.size()), "stem contours");
     const std::size_t end = std::min(begin + batch, which.size());
     tbb::parallel_for(begin, end, [&](std::size_t i) {
-      auto& use = uses[i];
-      use.view = which[i];
-      const auto pose = pose_of_view(poses, views.time_s(use.view));
-      if (!pose) {
-        use.state = "no_pose";
-        return;
+      for (auto& use : uses[i]) use.view = which[i];
+      const auto pose = pose_of_view(poses, views.time_s(which[i]));
+      if (pose) {
+        strips_of_view(views, T_plant_world * *pose, cloud, spacing, searches, uses[i], strips[i]);
+      } else {
+        for (auto& use : uses[i]) use.state = "no_pose";
       }
-      ViewStem stem(views.camera(use.view).color, T_plant_world * *pose, search);
-      use.tried = stem.sections().size();
-      if (use.tried < 3) {
-        use.state = "outside";
-        return;
-      }
-      use.occluded = stem.remove_hidden(cloud, spacing);
-      if (stem.sections().size() < 3) {
-        use.state = "hidden";
-        return;
-      }
-      View view;
-      try {
-        views.read(use.view, view, {true, false, false});
-      } catch (const Error&) {
-        use.state = "unreadable";
-        return;
-      }
-      const auto& camera = views.camera(use.view).color;
-      if (view.color.width != camera.width || view.color.height != camera.height || view.color.channels != 3) {
-        use.state = "unreadable";
-        return;
-      }
-      measure_view(stem, search, view.color, use, strips[i]);
     });
   }
-  StripsFound out;
-  out.views = std::move(uses);
-  for (auto& s : strips) out.strips.insert(out.strips.end(), s.begin(), s.end());
+  std::vector<StripsFound> out(searches.size());
+  for (std::size_t k = 0; k < searches.size(); ++k)
+    for (std::size_t i = 0; i < which.size(); ++i) {
+      out[k].views.push_back(std::move(uses[i][k]));
+      out[k].strips.insert(out[k].strips.end(), strips[i][k].begin(), strips[i][k].end());
+    }
   return out;
+}
+
+StripsFound find_strips(const ViewSource& views, const Trajectory& poses, const Pose& T_plant_world,
+                        const Points3& cloud, double spacing, const StripSearch& search,
+                        const std::vector<std::uint32_t>& which, const Run& run) {
+  auto found = find_strips(views, poses, T_plant_world, cloud, spacing, std::span(&search, 1), which, run);
+  return std::move(found.front());
 }
 
 }  // namespace bole::plant

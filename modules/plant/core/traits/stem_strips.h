@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -61,5 +62,9 @@ double usual_spread(const std::vector<ViewUse>& views);
 StripsFound find_strips(const ViewSource& views, const Trajectory& poses, const Pose& T_plant_world,
                         const Points3& cloud, double spacing, const StripSearch& search,
                         const std::vector<std::uint32_t>& which, const Run& run);
+// The same for several stretches of a stem at once: every picture is read once.
+std::vector<StripsFound> find_strips(const ViewSource& views, const Trajectory& poses, const Pose& T_plant_world,
+                                     const Points3& cloud, double spacing, std::span<const StripSearch> searches,
+                                     const std::vector<std::uint32_t>& which, const Run& run);
 
 }  // namespace bole::plant

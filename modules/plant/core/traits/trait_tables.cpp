@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/angles.h"
+#include "base/no_number.h"
 
 namespace bole::plant {
 namespace {
@@ -56,6 +57,14 @@ Table trait_table(const TraitRow& row) {
   t.set("state", std::vector<std::string>{"auto"});
   set_places(t, row);
   return t;
+}
+
+void set_volume(Table& traits, const std::optional<Interval>& volume_m3) {
+  const Interval none{no_number, no_number, no_number};
+  const auto& v = volume_m3 ? *volume_m3 : none;
+  traits.set("stem_volume_cm3", std::vector<double>{1e6 * v.value});
+  traits.set("stem_volume_lo_cm3", std::vector<double>{1e6 * v.low});
+  traits.set("stem_volume_hi_cm3", std::vector<double>{1e6 * v.high});
 }
 
 std::string size_sentence(const TraitRow& row) {

@@ -32,6 +32,8 @@ struct TraitRow {
 // One row. base_*_m is the foot of the stem, breadth_x_m and breadth_y_m the middle of the rectangle of the breadth and
 // breadth_angle_deg the direction of its length from x towards y: all in world axes.
 Table trait_table(const TraitRow& row);
+// stem_volume_cm3 with its interval; NaN where it is not known.
+void set_volume(Table& traits, const std::optional<Interval>& volume_m3);
 std::string size_sentence(const TraitRow& row);
 
 // height_mm, x_m, y_m, z_m (plant axes), diameter_mm, source.

@@ -9,6 +9,7 @@
 #include "plant/core/traits/picture_light.h"
 #include "plant/core/traits/plant_size.h"
 #include "plant/core/traits/stem_fit.h"
+#include "plant/core/traits/stem_sections.h"
 #include "plant/core/traits/trait_facts.h"
 #include "plant/core/traits/trait_tables.h"
 
@@ -29,8 +30,10 @@ class Measurement {
     measure_size();
     run_.report(0.2, "stem");
     measure_stem();
-    run_.report(0.9, "leaves");
+    run_.report(0.8, "leaves");
     measure_organs();
+    run_.report(0.9, "stem above the height of measurement");
+    measure_whole_stem();
     return finished();
   }
 
@@ -128,7 +131,7 @@ class Measurement {
     search.bottom = std::max(stem_at_ - options_.stretch / 2, 0.2 * stem_at_);
     search.top = stem_at_ + options_.stretch / 2;
     search.linear_light = choose_light(search, which);
-    contours_ = find(search, which, 0.2, 0.55);
+    contours_ = find(search, which, 0.2, 0.5);
     fit_ = fit_stem(contours_.strips, axis, guess, pose_sigma_px, run_);
     if (!fit_) {
       why_no_contours_ = "the pictures show its edges in " + std::to_string(used_views()) + " views only";
@@ -140,7 +143,8 @@ class Measurement {
     search.radius_share = 1.35;
     search.shift = 0.25 * fit_->diameter;
     search.usual_spread = usual_spread(contours_.views);
-    auto again = find(search, which, 0.55, 0.9);
+    auto again = find(search, which, 0.5, 0.8);
+    search_ = search;
     if (const auto better = fit_stem(again.strips, fit_->axis, fit_->diameter / 2, pose_sigma_px, run_)) {
       fit_ = better;
       contours_ = std::move(again);
@@ -174,7 +178,8 @@ class Measurement {
     double ppu = 0;
     for (const auto& s : contours_.strips) ppu += s.pixels_per_unit / static_cast<double>(contours_.strips.size());
     const double systematic = std::sqrt(2.0) * edge_px / ppu;
-    const double sd = std::hypot(fit_->standard_error, systematic, tone_doubt_ * fit_->diameter);
+    systematic_sd_ = std::hypot(systematic, tone_doubt_ * fit_->diameter);
+    const double sd = std::hypot(fit_->standard_error, systematic_sd_);
     // A wrong height of the soil is a wrong place on the taper.
     stem_ = interval_of(fit_->diameter, std::hypot(sd, fit_->taper * scene_.soil_sd), options_.scale_sd,
                         std::max(fit_->freedom, 3.0));
@@ -220,7 +225,21 @@ class Measurement {
     leaf_inputs_.noise = size_.extents.noise;
     leaf_inputs_.max_gap = 0.8 * stem_unit();
     leaf_inputs_.scale_sd = options_.scale_sd / 100;
-    leaves_ = measure_leaves(leaf_inputs_, run_.part(0.9, 1), report_);
+    leaves_ = measure_leaves(leaf_inputs_, run_.part(0.8, 0.9), report_);
+  }
+
+  // Where the pictures show the stem and its way up is known.
+  void measure_whole_stem() {
+    if (!fit_ || !scene_.scale_known || !leaves_.usable || leaves_.organs.axes.empty()) return;
+    const auto& stem = leaves_.organs.axes.front().curve;
+    if (stem.length() < 3 * options_.stretch) return;
+    sections_ = measure_sections({*in_.views, *in_.poses, chosen_views(), T_plant_world_, solid_, size_.extents.spacing,
+                                  *fit_, search_, options_.stretch, pose_sigma_px},
+                                 stem, run_.part(0.9, 1));
+    // The tip hides between the last leaves.
+    const double length_sd = std::hypot(0.3 * stem_unit(), options_.scale_sd / 100 * stem.length());
+    volume_ = stem_volume(sections_, stem.length(), systematic_sd_, length_sd);
+    report_.counts["stem_sections"] = static_cast<std::int64_t>(sections_.size());
   }
 
   Traits finished() {
@@ -244,7 +263,9 @@ class Measurement {
     put_trait_options(out.traits.facts, options_);
     add_leaf_columns(out.traits, leaves_, leaf_inputs_);
     out.stem = stem_table(cloud_stem_, fit_, contours_.strips, stem_at_);
-    add_stem_sections(out.stem, leaves_, leaf_inputs_);
+    add_stem_sections(out.stem, leaves_, leaf_inputs_,
+                      [&](double arc) { return diameter_at(sections_, arc, options_.stretch); });
+    set_volume(out.traits, volume_);
     out.leaves = std::move(leaves_.leaves);
     out.internodes = std::move(leaves_.internodes);
     out.branches = std::move(leaves_.branches);
@@ -272,6 +293,10 @@ class Measurement {
   PlantSize size_;
   Interval stem_;
   double stem_at_ = 0, tone_doubt_ = 0;  // tone_doubt_: of the diameter, as a share
+  double systematic_sd_ = 0;             // of diameters, that all edges share
+  StripSearch search_;                   // that the stem was found with
+  std::vector<StemSection> sections_;
+  std::optional<Interval> volume_;
   std::optional<CloudStem> cloud_stem_;
   std::optional<StemFit> fit_;
   StripsFound contours_;

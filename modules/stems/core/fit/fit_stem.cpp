@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "base/statistics.h"
+#include "stems/core/bark.h"
 #include "stems/core/detect/ring_density.h"
 #include "stems/core/fit/circle_fit.h"
 #include "stems/core/fit/contour.h"
@@ -111,6 +112,7 @@ class StemFitter {
         breast_height_(breast_height),
         priors_(priors),
         options_(options),
+        bark_(bark_of(options)),
         run_(run) {}
 
   // The axes of the stem depend on its lean and on the ground at its base: a first fit finds these.
@@ -136,8 +138,8 @@ class StemFitter {
 
   StemFitResult again(const Stem& before) const {
     StemFitResult result;
-    AxisLine axis{before.breast_height, before.direction,
-                  before.radius - (before.along_rays ? options_.bark_relief : 0), before.taper};
+    AxisLine axis{before.breast_height, before.direction, before.radius - (before.along_rays ? bark_.relief_m : 0),
+                  before.taper};
     for (int round = 0; round < max_rounds; ++round) {
       const auto attempt = prepare(axis, max_gathered);
       if (!has_sections(attempt, result)) break;
@@ -282,6 +284,7 @@ class StemFitter {
   double breast_height_;
   const ProjectPriors& priors_;
   const MeasureOptions& options_;
+  Bark bark_;
   const Run& run_;
 };
 
@@ -291,7 +294,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   s.ground_z = a.axes.ground_z, s.direction = axis.direction, s.breast_height = axis.point;
   s.along_rays = fit.along_rays;
   s.noise_m = fit.noise_m;
-  s.radius = fit.cylinder.radius + (fit.along_rays ? options_.bark_relief : 0), s.taper = fit.cylinder.taper;
+  s.radius = fit.cylinder.radius + (fit.along_rays ? bark_.relief_m : 0), s.taper = fit.cylinder.taper;
   s.rays_known = rays_.has_sensor(), s.passes = a.passes;
   s.pass_offset = fit.pass_offset, s.drift = fit.drift, s.range_offset = fit.range_offset;
   s.pass_seen = seen_from(a);
@@ -330,7 +333,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   contrary.judge(shrink, s.contrary_arc_rad);
   // A first look leaves the range offset open, and with it how far another beam would move the radius.
   const double beam_doubt = priors_.learnt ? fit.beam_doubt_m : 0;
-  const double shared = std::hypot(std::hypot(options_.range_bias, options_.bark_relief_sd),
+  const double shared = std::hypot(std::hypot(options_.range_bias, bark_.relief_sd_m),
                                    blur_sd(fit.cylinder.range_offset), beam_doubt),
                unseen = std::hypot(unseen_shape_sd(s.radius, covered_arc_rad(angles)),
                                    fit.along_rays ? 0 : unknown_beam_sd(fit.sigma_m)),

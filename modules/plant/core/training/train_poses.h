@@ -1,6 +1,9 @@
 // Poses refined together with the field.
 #pragma once
 
+#include <functional>
+#include <span>
+
 #include "plant/core/field/field_model.h"
 
 namespace bole::plant {
@@ -19,6 +22,11 @@ class PoseRefinement {
 
   // A step of Adam for the training views, then the views take their new poses.
   void update(const AdamStep& step, std::vector<FieldView>& views);
+  // The motions as numbers, to keep them and to set them again; Adam's moments in the same way.
+  void visit_motions(const std::function<void(std::span<double>)>& visit);
+  void visit_moments(const std::function<void(std::span<double>)>& visit);
+  // The views take the poses that the motions say.
+  void move_views(std::vector<FieldView>& views) const;
   // Root mean square of the shifts and of the turns of the training views.
   double shift_m() const;
   double turn_rad() const;

@@ -1,7 +1,7 @@
 // One step of the training: rays of the views, their losses, and the gradients of all that learns.
 #pragma once
 
-#include "plant/core/field/train_poses.h"
+#include "plant/core/training/train_poses.h"
 
 namespace bole::plant {
 

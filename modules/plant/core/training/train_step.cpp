@@ -1,4 +1,4 @@
-#include "plant/core/field/train_step.h"
+#include "plant/core/training/train_step.h"
 
 #include <tbb/parallel_for.h>
 

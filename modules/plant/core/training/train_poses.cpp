@@ -1,4 +1,4 @@
-#include "plant/core/field/train_poses.h"
+#include "plant/core/training/train_poses.h"
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -67,6 +67,21 @@ void PoseRefinement::update(const AdamStep& step, std::vector<FieldView>& views)
     m.value.tail<3>() -= step.rate * shift_rate * (move.tail<3>() + m.value.tail<3>() / shift_sigma);
   }
   remove_common_motion(views);
+  move_views(views);
+}
+
+void PoseRefinement::visit_motions(const std::function<void(std::span<double>)>& visit) {
+  for (auto& m : motions_) visit({m.value.data(), 6});
+}
+
+void PoseRefinement::visit_moments(const std::function<void(std::span<double>)>& visit) {
+  for (auto& m : motions_) {
+    visit({m.first.data(), 6});
+    visit({m.second.data(), 6});
+  }
+}
+
+void PoseRefinement::move_views(std::vector<FieldView>& views) const {
   for (std::size_t i = 0; i < views.size(); ++i) {
     if (!trains_[i]) continue;
     views[i].T_world_camera.linear() = so3_exp(motions_[i].value.head<3>()).toRotationMatrix() * given_[i].linear();
