@@ -137,7 +137,6 @@ void OusterDecoder::decode(Bytes packet, std::vector<OusterReturn>& out) const {
     for (std::size_t b = 0; b < beams_.size(); ++b) {
       const Bytes pixel = c.pixels.subspan(b * layout.bytes, layout.bytes);
       const bool turned = layout.returns == 2 && !metadata_.strongest_first && second_is_stronger(layout, pixel);
-      std::uint8_t number = 0;
       for (int r = 0; r < layout.returns; ++r) {
         const auto echo = static_cast<std::size_t>(turned ? 1 - r : r);
         const auto counts =
@@ -145,7 +144,7 @@ void OusterDecoder::decode(Bytes packet, std::vector<OusterReturn>& out) const {
         if (counts == 0) continue;
         const double range_m = counts * layout.metres_per_count;
         out.push_back({position(beams_[b], encoder, range_m), static_cast<float>(range_m), c.time_ns, c.id,
-                       beams_[b].ring, pixel[layout.reflectivity_at[echo]], ++number});
+                       beams_[b].ring, pixel[layout.reflectivity_at[echo]], static_cast<std::uint8_t>(r + 1)});
       }
     }
   }
