@@ -50,7 +50,7 @@ std::string limit_text(const OptionSpec& spec, double limit) {
 }
 
 bool is_input_path(const OptionSpec& spec, const OptionValue& value) {
-  constexpr std::array<std::string_view, 4> endings{".json", ".csv", ".txt", ".xml"};
+  constexpr std::array<std::string_view, 6> endings{".json", ".csv", ".txt", ".xml", ".yaml", ".yml"};
   const auto* text = std::get_if<std::string>(&value);
   if (text == nullptr || text->empty()) return false;
   return spec.text_kind == TextKind::input_path ||

@@ -253,6 +253,9 @@ pipeline::StageType read_trajectory_stage() {
       result.report.warn(it->second + " poses repeat the time of an earlier one and were left out");
     if (const auto it = trajectory.facts.find("impossible_records"); it != trajectory.facts.end())
       result.report.warn(it->second + " records cannot be (times, angles or heights out of range) and were left out");
+    if (trajectory.facts.contains("partial_record"))
+      result.report.find(Severity::look, "input_damaged",
+                         "the file ends within a record: it was cut off, and the end of the path may be missing");
     if (trajectory.facts.contains("orientation"))
       result.report.find(Severity::note, "orientation_unknown",
                          "orientations of the path are not known: only its positions can be used");

@@ -18,6 +18,7 @@
 #include <array>
 #include <vector>
 
+#include "cloud/index_times.h"
 #include "vtkbridge/field_facts.h"
 #include "vtkbridge/lazy_data.h"
 
@@ -141,7 +142,7 @@ bool has_steps(DataKind kind) { return kind == DataKind::frames || kind == DataK
 std::vector<double> step_times_s(const Data& data) {
   std::vector<double> times;
   if (const auto* frames = std::get_if<std::shared_ptr<const FrameSource>>(&data); frames && *frames)
-    for (std::size_t i = 0; i < (*frames)->size(); ++i) times.push_back((*frames)->frame_time_s(i));
+    for (std::size_t i = 0; i < (*frames)->size(); ++i) times.push_back(index_time_s(**frames, i));
   if (const auto* views = std::get_if<std::shared_ptr<const ViewSource>>(&data); views && *views)
     for (std::size_t i = 0; i < (*views)->size(); ++i) times.push_back((*views)->time_s(i));
   return times;

@@ -283,6 +283,10 @@
             <translation>保留不完整的帧</translation>
         </message>
         <message>
+            <source>Laser heights</source>
+            <translation>激光器高度</translation>
+        </message>
+        <message>
             <source>Port</source>
             <translation>端口</translation>
         </message>
@@ -2218,8 +2222,8 @@
             <translation>要读取的扫描数据:%1。</translation>
         </message>
         <message>
-            <source>Sensor model: auto (from the packets), a name such as vlp16, vls128, os1_128, pandar_xt32 or mid360, or a file of your own unit: Ouster JSON, Hesai correction CSV, Velodyne calibration (db.xml), or beams as JSON.</source>
-            <translation>传感器型号:auto(由数据包识别),型号名称如 vlp16、vls128、os1_128、pandar_xt32 或 mid360,或您所用设备自己的文件:Ouster JSON、Hesai 校正 CSV、Velodyne 标定文件(db.xml),或以 JSON 给出的各光束。</translation>
+            <source>Sensor model: auto (from the packets), a name such as vlp16, vls128, os1_128, pandar_xt32 or mid360, or a file of your own unit: Ouster JSON, Hesai correction CSV, Velodyne calibration (db.xml, or YAML of ROS), or beams as JSON.</source>
+            <translation>传感器型号:auto(由数据包识别),型号名称如 vlp16、vls128、os1_128、pandar_xt32 或 mid360,或您所用设备自己的文件:Ouster JSON、Hesai 校正 CSV、Velodyne 标定文件(db.xml,或 ROS 的 YAML),或以 JSON 给出的各光束。</translation>
         </message>
         <message>
             <source>Returns closer than this are ignored (they hit the operator or the housing).</source>
@@ -2244,6 +2248,10 @@
         <message>
             <source>Keep the first and last frame of a capture when they cover less than nine tenths of a revolution.</source>
             <translation>记录的首帧和末帧不足一圈的十分之九时也予保留。</translation>
+        </message>
+        <message>
+            <source>Add the height of each laser on the sensor&apos;s axis, where its maker states one (VLP-16: up to 11 mm). Off gives the points of decoders that leave it out.</source>
+            <translation>在厂家给出时,加上每个激光器在传感器轴线上的高度(VLP-16:最大 11 mm)。关闭时得到的点与不计此高度的解码程序相同。</translation>
         </message>
         <message>
             <source>UDP port of the sensor&apos;s data packets. auto takes that of the first one.</source>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cloud/index_times.h"
 #include "slam/core/odometry/motion.h"
 
 namespace bole::desktop {
@@ -55,7 +56,7 @@ void FrameReader::work(const std::stop_token& stop, const pipeline::StageNode& n
     const auto result = pipeline::run_stage(*node.type, {}, node.options, run);
     const auto source = result.outputs.get<FrameSource>("frames");
     std::vector<double> times_s(source->size());
-    for (std::size_t i = 0; i < times_s.size(); ++i) times_s[i] = source->frame_time_s(i);
+    for (std::size_t i = 0; i < times_s.size(); ++i) times_s[i] = index_time_s(*source, i);
     answer([this, times_s] { Q_EMIT opened(times_s); });
     ScanFrame frame;
     while (!stop.stop_requested()) {

@@ -14,7 +14,6 @@ namespace {
 constexpr std::array layouts{
     HesaiLayout{"pandar_xt32", 1080, 4, 12, 130, 2, 0, 4, 8, 32, 1062, 1065, 1071, -5.632e-6, -5.72e-6},
     HesaiLayout{"pandar40p", 1262, 4, 0, 124, 4, 2, 3, 10, 40, 1254, 1256, 1250, 83.25e-6, 54.67e-6}};
-constexpr double metres_per_count = 0.004;
 
 enum HesaiReturn : std::uint8_t {
   strongest = 0x37,
@@ -45,6 +44,11 @@ const HesaiLayout* hesai_layout(std::span<const std::uint8_t> payload) {
   if (fits(layouts[0]) && starts_xt32(payload)) return &layouts[0];
   if (payload.size() >= layouts[1].bytes && fits(layouts[1]) && starts_40p(payload)) return &layouts[1];
   return nullptr;
+}
+
+const HesaiLayout* hesai_layout_of(int lasers) {
+  const auto* found = std::ranges::find(layouts, lasers, &HesaiLayout::lasers);
+  return found == layouts.end() ? nullptr : found;
 }
 
 bool looks_like_hesai_correction(std::string_view csv) {
@@ -158,7 +162,7 @@ void HesaiPackets::decode(const std::vector<VelodyneFiring>& firings, std::size_
     for (int laser = 0; laser < layout_->lasers; ++laser) {
       const auto add = [&](std::size_t at, std::uint8_t number) {
         if (const auto counts = little16(packet_, at); counts > 0)
-          beams_.append(static_cast<float>(static_cast<double>(counts) * metres_per_count), packet_[at + 2],
+          beams_.append(static_cast<float>(static_cast<double>(counts) * hesai_metres_per_count), packet_[at + 2],
                         static_cast<std::size_t>(laser), firing, firing_period_s(), 0, static_cast<std::uint8_t>(f),
                         number, out);
       };

@@ -22,8 +22,13 @@ struct HesaiLayout {
   double azimuth_after_start_s;
 };
 
+inline constexpr double hesai_metres_per_count = 0.004;
+
 // The layout of a packet, or null where it is none.
 const HesaiLayout* hesai_layout(std::span<const std::uint8_t> payload);
+
+// The layout of the sensor with so many lasers, or null.
+const HesaiLayout* hesai_layout_of(int lasers);
 
 // Elevation and azimuth offset of each channel from the maker's correction file ("Laser id,Elevation,Azimuth", degrees)
 // into the beams of a model. Throws Error{bad_input} where the text is no such table for the sensor.

@@ -21,12 +21,13 @@ struct PixelLayout {
   std::uint32_t range_mask;
   double metres_per_count;
   std::array<std::size_t, 2> range_at, reflectivity_at;
+  std::array<std::size_t, 2> signal_at = {0, 0};  // 0: none
 };
 
 const PixelLayout& layout_of(OusterProfile profile) {
   static constexpr std::array layouts{
       PixelLayout{12, 1, 4, 0xFFFFF, 1e-3, {0, 0}, {4, 0}}, PixelLayout{12, 1, 4, 0x7FFFF, 1e-3, {0, 0}, {4, 0}},
-      PixelLayout{16, 2, 4, 0x7FFFF, 1e-3, {0, 4}, {3, 7}}, PixelLayout{4, 1, 2, 0x7FFF, 8e-3, {0, 0}, {2, 0}},
+      PixelLayout{16, 2, 4, 0x7FFFF, 1e-3, {0, 4}, {3, 7}, {8, 10}}, PixelLayout{4, 1, 2, 0x7FFF, 8e-3, {0, 0}, {2, 0}},
       PixelLayout{8, 2, 2, 0x7FFF, 8e-3, {0, 4}, {2, 6}}};
   return layouts[static_cast<std::size_t>(profile)];
 }
@@ -46,6 +47,17 @@ std::uint64_t get(Bytes p, std::size_t at, std::size_t bytes) {
 }
 
 double get_float(Bytes p, std::size_t at) { return std::bit_cast<float>(static_cast<std::uint32_t>(get(p, at, 4))); }
+
+// Whether the second return of a pixel is the stronger one. Without a signal the reflectivity, which the sensor
+// corrects for the distance, tells.
+bool second_is_stronger(const PixelLayout& layout, Bytes pixel) {
+  const auto strength = [&](std::size_t echo) {
+    if (layout.signal_at[echo] > 0) return static_cast<double>(get(pixel, layout.signal_at[echo], 2));
+    const double range = static_cast<double>(get(pixel, layout.range_at[echo], layout.range_bytes) & layout.range_mask);
+    return range > 0 ? pixel[layout.reflectivity_at[echo]] / (range * range) : 0;
+  };
+  return strength(1) > strength(0);
+}
 
 // Since the start of the sensor or since 1970. A time beyond the year 2100 is damage; differences of others fit into
 // 64 bits.
@@ -124,8 +136,9 @@ void OusterDecoder::decode(Bytes packet, std::vector<OusterReturn>& out) const {
     const Encoder encoder{std::cos(encoder_rad), std::sin(encoder_rad)};
     for (std::size_t b = 0; b < beams_.size(); ++b) {
       const Bytes pixel = c.pixels.subspan(b * layout.bytes, layout.bytes);
+      const bool turned = layout.returns == 2 && !metadata_.strongest_first && second_is_stronger(layout, pixel);
       for (int r = 0; r < layout.returns; ++r) {
-        const auto echo = static_cast<std::size_t>(r);
+        const auto echo = static_cast<std::size_t>(turned ? 1 - r : r);
         const auto counts =
             static_cast<std::uint32_t>(get(pixel, layout.range_at[echo], layout.range_bytes)) & layout.range_mask;
         if (counts == 0) continue;

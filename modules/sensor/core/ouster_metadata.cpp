@@ -232,6 +232,8 @@ OusterMetadata parse_ouster_metadata(std::string_view file) {
   out.columns_per_packet = integer(root, "columns_per_packet", 16, 1, 128);
   out.model.sequence_period_s = 1 / (out.model.rotation_hz * out.columns_per_frame);
   read_window(root, out);
+  out.return_order = ouster_text(root, "return_order");
+  out.strongest_first = out.return_order.empty() || out.return_order.starts_with("STRONGEST");
   out.profile = profile_of(ouster_text(root, "udp_profile_lidar"));
   read_beam_origin(root, generation_1, out);
   out.T_sensor_lidar = pose(root, "lidar_to_sensor_transform", usual_T_sensor_lidar());

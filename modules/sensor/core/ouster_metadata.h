@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "base/transform.h"
@@ -27,6 +28,8 @@ struct OusterMetadata {
   bool legacy_imu = true;  // the layout of its inertial packets is known
   std::optional<std::uint64_t> serial_number;
   std::optional<int> lidar_port, imu_port;
+  std::string return_order;     // of a dual profile, as the settings name it; empty: the strongest first
+  bool strongest_first = true;  // by that order
   bool series_assumed = false;  // an old file without product line: the series follows from the field of view
 
   int columns_in_window() const;

@@ -1,8 +1,10 @@
 #include "sensor/core/pcap_writer.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <vector>
 
 #include "base/error.h"
 
@@ -10,8 +12,9 @@ namespace bole::sensor {
 namespace {
 
 constexpr std::size_t ethernet = 14, ip = 20, udp = 8;
-constexpr std::size_t headers = ethernet + ip + udp;
-constexpr std::size_t max_payload = 1400;
+constexpr std::size_t max_payload = 65507;  // of a UDP datagram
+constexpr std::size_t max_piece = 1480;     // of IP data in an Ethernet frame, a multiple of 8
+constexpr std::uint16_t do_not_fragment = 0x4000, more_fragments = 0x2000;
 
 void put16_network(std::uint8_t* p, std::size_t value) {
   p[0] = static_cast<std::uint8_t>(value >> 8 & 0xFF);
@@ -26,23 +29,30 @@ std::uint16_t checksum(const std::uint8_t* p, std::size_t bytes) {
   return static_cast<std::uint16_t>(~sum & 0xFFFF);
 }
 
-std::array<std::uint8_t, headers> frame_headers(std::size_t payload, std::uint16_t port) {
-  std::array<std::uint8_t, headers> h{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0x60,
-                                      0x76, 0x88, 0x00, 0x00, 0x00, 0x08, 0x00};
+std::array<std::uint8_t, ethernet + ip> frame_headers(std::size_t content, std::uint16_t identification,
+                                                      std::uint16_t fragment) {
+  std::array<std::uint8_t, ethernet + ip> h{0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0xFF, 0x60,
+                                            0x76, 0x88, 0x00, 0x00, 0x00, 0x08, 0x00};
   std::uint8_t* p = h.data() + ethernet;
   p[0] = 0x45;
-  put16_network(p + 2, ip + udp + payload);
-  p[6] = 0x40;  // do not fragment
+  put16_network(p + 2, ip + content);
+  put16_network(p + 4, identification);
+  put16_network(p + 6, fragment);
   p[8] = 0xFF;  // time to live
   p[9] = 17;    // UDP
   constexpr std::array<std::uint8_t, 8> addresses{192, 168, 1, 201, 255, 255, 255, 255};
   std::memcpy(p + 12, addresses.data(), addresses.size());
   put16_network(p + 10, checksum(p, ip));
-  p += ip;
-  put16_network(p, port);
-  put16_network(p + 2, port);
-  put16_network(p + 4, udp + payload);  // a UDP checksum of 0 means none
   return h;
+}
+
+std::vector<std::uint8_t> udp_datagram(std::span<const std::uint8_t> payload, std::uint16_t port) {
+  std::vector<std::uint8_t> out(udp);
+  put16_network(out.data(), port);
+  put16_network(out.data() + 2, port);
+  put16_network(out.data() + 4, udp + payload.size());  // a checksum of 0 means none
+  out.insert(out.end(), payload.begin(), payload.end());
+  return out;
 }
 
 template <class T>
@@ -65,12 +75,20 @@ void PcapWriter::write(std::span<const std::uint8_t> payload, double time_s) {
     throw failure("a datagram of " + std::to_string(payload.size()) + " bytes",
                   "at most " + std::to_string(max_payload));
   const auto microseconds = static_cast<std::int64_t>(std::llround(time_s * 1e6));
-  const auto length = static_cast<std::uint32_t>(headers + payload.size());
-  const std::array<std::uint32_t, 4> record{static_cast<std::uint32_t>(microseconds / 1'000'000),
-                                            static_cast<std::uint32_t>(microseconds % 1'000'000), length, length};
-  append(file_, record);
-  append(file_, frame_headers(payload.size(), port_));
-  file_.write(reinterpret_cast<const char*>(payload.data()), static_cast<std::streamsize>(payload.size()));
+  const auto datagram = udp_datagram(payload, port_);
+  const bool whole = datagram.size() <= max_piece;
+  if (!whole) ++identification_;
+  for (std::size_t at = 0; at < datagram.size(); at += max_piece) {
+    const auto piece = std::min(max_piece, datagram.size() - at);
+    const bool last = at + piece == datagram.size();
+    const auto fragment = static_cast<std::uint16_t>(whole ? do_not_fragment : at / 8 | (last ? 0 : more_fragments));
+    const auto length = static_cast<std::uint32_t>(ethernet + ip + piece);
+    const std::array<std::uint32_t, 4> record{static_cast<std::uint32_t>(microseconds / 1'000'000),
+                                              static_cast<std::uint32_t>(microseconds % 1'000'000), length, length};
+    append(file_, record);
+    append(file_, frame_headers(piece, whole ? 0 : identification_, fragment));
+    file_.write(reinterpret_cast<const char*>(datagram.data() + at), static_cast<std::streamsize>(piece));
+  }
   if (!file_) throw failure("cannot write to '" + path_.string() + "'", "space on the disk");
 }
 

@@ -59,6 +59,9 @@ std::vector<LaserChannel> channels_from(const nlohmann::json& json, double seque
   const auto elevations = json_numbers(json, "elevation_deg", 0, -90, 90);
   const auto offsets = json_numbers(json, "azimuth_offset_deg", elevations.size(), -180, 180);
   const auto times = json_numbers(json, "firing_time_us", elevations.size(), 0, sequence_period_us);
+  const bool heights_known = json.contains("height_offset_mm");
+  const auto heights = heights_known ? json_numbers(json, "height_offset_mm", elevations.size(), -1000, 1000)
+                                     : std::vector<double>(elevations.size());
   std::vector<std::size_t> by_elevation(elevations.size());
   std::iota(by_elevation.begin(), by_elevation.end(), std::size_t{0});
   std::ranges::stable_sort(by_elevation, {}, [&](std::size_t i) { return elevations[i]; });
@@ -66,6 +69,7 @@ std::vector<LaserChannel> channels_from(const nlohmann::json& json, double seque
   for (std::size_t ring = 0; ring < by_elevation.size(); ++ring) {
     const std::size_t i = by_elevation[ring];
     channels[i] = {elevations[i] * rad_per_deg, offsets[i] * rad_per_deg, times[i] * 1e-6, static_cast<int>(ring)};
+    channels[i].offsets.height = heights[i] * 1e-3;
   }
   return channels;
 }
@@ -104,11 +108,11 @@ bool flag(const nlohmann::json& json, const char* key) {
 void read_packet_format(const nlohmann::json& json, SensorModel& model) {
   const auto format = json_text(json, "packet", "none");
   if (format == "none") return;
-  if (format == "hesai") {
-    model.packet = PacketFormat::hesai;
+  if (format == "hesai" || format == "ouster") {
+    model.packet = format == "hesai" ? PacketFormat::hesai : PacketFormat::ouster;
     return;
   }
-  if (format != "velodyne") throw bad_input("'packet' is '" + format + "'", "velodyne, hesai or none");
+  if (format != "velodyne") throw bad_input("'packet' is '" + format + "'", "velodyne, hesai, ouster or none");
   model.packet = PacketFormat::velodyne;
   model.sequences_per_block = static_cast<int>(json_number(json, "sequences_per_block", 1, 2));
   if (json.contains("product_id"))
@@ -173,6 +177,15 @@ SensorModel sensor_model_from_json(const nlohmann::json& json, std::string id) {
   return model;
 }
 
+SensorModel without_laser_heights(SensorModel model) {
+  for (auto& c : model.channels) c.offsets.height = 0;
+  return model;
+}
+
+bool has_laser_heights(const SensorModel& model) {
+  return std::ranges::any_of(model.channels, [](const LaserChannel& c) { return c.offsets.height != 0; });
+}
+
 std::vector<std::string> sensor_model_names() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(resource_path("sensors")))
@@ -185,10 +198,14 @@ namespace {
 
 SensorModel load_velodyne_calibration(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw bad_input("cannot open '" + path.string() + "'", "the calibration of a Velodyne unit (db.xml)");
-  const std::string xml((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  if (!file) throw bad_input("cannot open '" + path.string() + "'", "the calibration of a Velodyne unit (XML or YAML)");
+  std::string text(static_cast<std::size_t>(max_velodyne_calibration_bytes) + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > max_velodyne_calibration_bytes)
+    throw bad_input("'" + path.string() + "' is larger than 4 MB", "the calibration of a Velodyne unit");
   try {
-    auto model = velodyne_model_from_xml(xml);
+    auto model = velodyne_model_from(text);
     model.file = path;
     return model;
   } catch (const Error& e) {
@@ -200,7 +217,7 @@ SensorModel load_velodyne_calibration(const std::filesystem::path& path) {
 
 SensorModel load_sensor_model(std::string_view name_or_path) {
   std::filesystem::path path(name_or_path);
-  if (path.extension() == ".xml") return load_velodyne_calibration(path);
+  if (may_be_velodyne_calibration(path)) return load_velodyne_calibration(path);
   std::string id = path.stem().string();
   const bool named_file = path.extension() == ".json";
   if (!named_file) {
@@ -210,7 +227,7 @@ SensorModel load_sensor_model(std::string_view name_or_path) {
       std::string list;
       for (const auto& n : names) list += (list.empty() ? "" : ", ") + n;
       throw bad_input("there is no sensor '" + std::string(name_or_path) + "'",
-                      "one of " + list + ", or the path of a JSON file or of a Velodyne calibration (db.xml)");
+                      "one of " + list + ", or the path of a JSON file or of a Velodyne calibration (XML, YAML)");
     }
     id = *it;
     path = resource_path("sensors/" + id + ".json");

@@ -13,8 +13,8 @@
 
 namespace bole::sensor {
 
-// What the calibration of a unit adds to a laser beside its angles (Velodyne HDL-64E S2 manual, appendix F). All
-// metres.
+// What a laser has beside its angles: the height that the maker states (Velodyne VLP-16 manual, section 9.2), and what
+// the calibration of a unit adds (Velodyne HDL-64E S2 manual, appendix F). All metres.
 struct LaserOffsets {
   double range = 0;       // added to every range; with `near_x` that of far targets
   double vertical = 0;    // of the laser above the sensor's centre, across its beam
@@ -22,6 +22,7 @@ struct LaserOffsets {
   // Added in place of `range` to targets 2.4 m aside (x) and 1.93 m ahead or behind (y); linear in between and beyond.
   double near_x = 0, near_y = 0;
   bool two_points = false;  // near_x and near_y are known
+  double height = 0;        // of the laser above the sensor's centre, along z
   bool operator==(const LaserOffsets&) const = default;
 };
 
@@ -34,7 +35,7 @@ struct LaserChannel {
   LaserOffsets offsets = {};
 };
 
-enum class PacketFormat { none, velodyne, hesai };
+enum class PacketFormat { none, velodyne, hesai, ouster };
 
 // The field of view of a scanner whose beams never repeat their path (Livox). It has no table of lines.
 struct Rosette {
@@ -77,12 +78,17 @@ struct SensorModel {
 };
 
 // `name_or_path` is a name in resources/sensors ("vlp32c", "VLP-32C", "Livox Mid-360", "XT-32"), or the path of a file
-// with the calibration of a unit: JSON of the same form, or Velodyne's XML (velodyne_calibration.h). Throws
+// with the calibration of a unit: JSON of the same form, or a Velodyne calibration (velodyne_calibration.h). Throws
 // Error{bad_input} that lists the known names, or names the wrong entry.
 SensorModel load_sensor_model(std::string_view name_or_path);
 
 // The model that a JSON value describes. Throws Error{bad_input} that names the wrong entry.
 SensorModel sensor_model_from_json(const nlohmann::json& json, std::string id);
+
+// The same with all lasers in the sensor's centre, as decoders have it that leave the heights out.
+SensorModel without_laser_heights(SensorModel model);
+
+bool has_laser_heights(const SensorModel& model);
 
 // Names in resources/sensors, sorted.
 std::vector<std::string> sensor_model_names();

@@ -52,14 +52,26 @@ void shift_behind_blind_sector(double mean_advance_centideg, double firing_perio
   }
 }
 
+bool is_off_centre(LaserOffsets offsets) {
+  offsets.height = 0;
+  return offsets != LaserOffsets{};
+}
+
 }  // namespace
+
+Eigen::Vector3d laser_origin(const LaserOffsets& offsets, double azimuth_rad, double elevation_rad) {
+  const double c = std::cos(azimuth_rad), s = std::sin(azimuth_rad);
+  const double inwards = offsets.vertical * std::sin(elevation_rad);
+  return {-inwards * c + offsets.horizontal * s, inwards * s + offsets.horizontal * c,
+          offsets.vertical * std::cos(elevation_rad) + offsets.height};
+}
 
 SpinningBeams::SpinningBeams(const SensorModel& model)
     : usual_rate_centideg_s_(full_turn_centideg * model.rotation_hz) {
   for (const auto& c : model.channels)
     beams_.push_back({static_cast<float>(std::cos(c.elevation_rad)), static_cast<float>(std::sin(c.elevation_rad)),
                       c.azimuth_offset_rad / radians_per_centideg, c.firing_time_s, static_cast<std::uint16_t>(c.ring),
-                      c.offsets, c.offsets != LaserOffsets{}});
+                      c.offsets, is_off_centre(c.offsets)});
 }
 
 void SpinningBeams::set_advances(double firing_period_s, std::vector<VelodyneFiring>& out) const {
@@ -121,10 +133,11 @@ void SpinningBeams::append(float range_m, std::uint8_t intensity, std::size_t be
   const float horizontal = range_m * b.cos_elevation;
   // The rotor turns clockwise seen from above, y points to the left.
   Eigen::Vector3f position(horizontal * d.cos, -horizontal * d.sin, range_m * b.sin_elevation);
-  if (b.has_offsets)
+  if (b.off_centre)
     position =
         point_with_offsets(b, static_cast<double>(range_m), static_cast<double>(d.cos), static_cast<double>(d.sin));
-  out.push_back({position, b.has_offsets ? position.norm() : range_m, static_cast<float>(firing.time_offset_s + time_s),
+  position.z() += static_cast<float>(b.offsets.height);
+  out.push_back({position, b.off_centre ? position.norm() : range_m, static_cast<float>(firing.time_offset_s + time_s),
                  static_cast<std::uint16_t>(beam), b.ring, firing_index, intensity, return_number});
 }
 

@@ -33,6 +33,10 @@ struct VelodyneFiring {
   double time_offset_s = 0;     // after the first firing of the packet
 };
 
+// Where a laser stands in the sensor's axes while it points at `azimuth_rad` (clockwise, its own offset included) and
+// `elevation_rad`. Its ranges count from there, less `offsets.range`. The two-point correction is not in it.
+Eigen::Vector3d laser_origin(const LaserOffsets& offsets, double azimuth_rad, double elevation_rad);
+
 class SpinningBeams {
  public:
   explicit SpinningBeams(const SensorModel& model);
@@ -56,7 +60,7 @@ class SpinningBeams {
     double offset_centideg, time_s;
     std::uint16_t ring;
     LaserOffsets offsets;
-    bool has_offsets;
+    bool off_centre;  // more than its height
   };
   static Eigen::Vector3f point_with_offsets(const Beam& beam, double range_m, double cos_azimuth, double sin_azimuth);
   std::vector<Beam> beams_;

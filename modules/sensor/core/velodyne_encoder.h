@@ -5,15 +5,11 @@
 #include <functional>
 #include <span>
 
+#include "sensor/core/laser_echo.h"
 #include "sensor/core/sensor_model.h"
 #include "sensor/core/velodyne_packet.h"
 
 namespace bole::sensor {
-
-struct LaserEcho {
-  float range_m = 0;  // 0: none
-  std::uint8_t intensity = 0;
-};
 
 class VelodyneEncoder {
  public:

@@ -12,6 +12,7 @@
 #include "cloud/known_facts.h"
 #include "survey/core/path_clock.h"
 #include "survey/core/path_fit.h"
+#include "survey/core/path_sight.h"
 
 namespace bole::survey {
 
@@ -132,8 +133,22 @@ void judge_place(const PathSample& sample, const PathCurve& curve, double offset
                     "sensor was carried so");
 }
 
-void check_geometry(const PathSample& sample, const PathCurve& curve, double offset, const JoinOptions& options,
-                    Report& report) {
+// From a path that was moved by a few metres the sensor would have looked through stems.
+void judge_sight(const PointCloud& points, const PathCurve& curve, double offset, Report& report) {
+  const auto sight = path_sight(points, curve, offset);
+  if (!sight) return;
+  report.metrics["rays_through_points"] = {sight->crossing, Unit::none};
+  if (sight->doubts_path())
+    report.find(Severity::look, "path_looks_through_points",
+                fmt::format("from this path {:.0f} % of the rays pass through other points, and {:.0f} % with the path "
+                            "moved by about {:+.0f} m in x and {:+.0f} m in y: path and cloud may not have the same "
+                            "origin, or their clocks differ, so that all rays are wrong. Nothing was changed",
+                            100 * sight->crossing, 100 * sight->crossing_there, sight->better_shift_m.x(),
+                            sight->better_shift_m.y()));
+}
+
+void check_geometry(const PointCloud& points, const PathSample& sample, const PathCurve& curve, double offset,
+                    const JoinOptions& options, Report& report) {
   const auto fit = sample.fit(curve, offset);
   report.metrics["median_distance"] = {fit.median_m, Unit::metre};
   if (!(fit.nearest_m <= options.max_distance))
@@ -150,6 +165,7 @@ void check_geometry(const PathSample& sample, const PathCurve& curve, double off
         "a path in the coordinate system and clock of the points",
         "Check axes and time_offset, or take the trajectory away");
   judge_place(sample, curve, offset, fit, options, report);
+  judge_sight(points, curve, offset, report);
   const auto shift = sample.best_shift(curve, offset);
   constexpr double min_shift_s = 0.2;
   if (shift.certain && std::abs(shift.seconds) >= min_shift_s)
@@ -175,7 +191,7 @@ JoinedCloud join_trajectory(const PointCloud& points, const Trajectory& trajecto
                     "the trajectory {}",
                     100 * share, offset, described(sample.span()), described({curve.begin_s(), curve.end_s()})),
         "times that overlap");
-  check_geometry(sample, curve, offset, options, out.report);
+  check_geometry(points, sample, curve, offset, options, out.report);
   run.report(0.2, "joining points and path");
 
   constexpr double mark_spacing_m = 1;

@@ -114,6 +114,7 @@ TEST(BagSource, AgreesWithAnotherDecoderOnARealVlp16) {
   FrameSourceOptions options;
   options.keep_partial_frames = true;
   options.min_range = 0.1;
+  options.laser_heights = false;  // the other decoder takes them from its calibration, where they are zero
   const auto source = open_frame_source(shared("NEBULA_velodyne/vlp16/1673400471837873222"), options);
   EXPECT_EQ(source->sensor_model(), "vlp16");
   ASSERT_EQ(source->size(), 5U);
@@ -127,6 +128,39 @@ TEST(BagSource, AgreesWithAnotherDecoderOnARealVlp16) {
   EXPECT_GT(found.same, truth.size() * 5 / 6 - truth.size() / 50);
   EXPECT_LT(found.next, 99U + 89U);  // there are that many
   EXPECT_LT(found.other, truth.size() / 1000);
+}
+
+TEST(BagSource, TheHeightsOfTheLasersMoveARealVlp16) {
+  BOLE_NEEDS_SHARED("NEBULA_velodyne");
+  const auto folder = shared("NEBULA_velodyne/vlp16/1673400471837873222");
+  FrameSourceOptions without;
+  without.laser_heights = false;
+  const auto a = open_frame_source(folder), b = open_frame_source(folder, without);
+  const auto model = sensor::load_sensor_model("vlp16");
+  ScanFrame ours, plain;
+  a->read(0, ours);
+  b->read(0, plain);
+  ASSERT_EQ(ours.size(), plain.size());
+  ASSERT_GT(ours.size(), 10'000U);
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    const auto laser = std::ranges::find(model.channels, ours.ring[i], &sensor::LaserChannel::ring);
+    const Eigen::Vector3d moved = (ours.positions[i] - plain.positions[i]).cast<double>();
+    EXPECT_LT((moved - Eigen::Vector3d(0, 0, laser->offsets.height)).norm(), 1e-5);
+  }
+}
+
+// The calibration that Nebula has for its VLP-32C is the table of the manual.
+TEST(BagSource, TheYamlOfNebulaIsTheNominalVlp32c) {
+  BOLE_NEEDS_SHARED("NEBULA_velodyne");
+  const auto own = sensor::load_sensor_model(shared("NEBULA_velodyne/VLP32.yaml").string());
+  const auto nominal = sensor::load_sensor_model("vlp32c");
+  ASSERT_EQ(own.channels.size(), nominal.channels.size());
+  for (std::size_t i = 0; i < own.channels.size(); ++i) {
+    EXPECT_NEAR(own.channels[i].elevation_rad, nominal.channels[i].elevation_rad, 1e-6);
+    EXPECT_NEAR(own.channels[i].azimuth_offset_rad, nominal.channels[i].azimuth_offset_rad, 1e-6);
+    EXPECT_EQ(own.channels[i].ring, nominal.channels[i].ring);
+  }
+  EXPECT_EQ(sensor::load_sensor_model(shared("VELODYNE_pcaps/HDL-32E_calibration.yml").string()).id, "hdl32e");
 }
 
 TEST(BagSource, AFileOfARealVlp32cIsItsFolder) {

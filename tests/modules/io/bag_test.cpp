@@ -6,6 +6,7 @@
 #include <sqlite3.h>
 #include <zstd.h>
 
+#include "bag_database.h"
 #include "bag_files.h"
 #include "io/core/bags/bag_folder.h"
 #include "io/core/bags/bag_source.h"
@@ -48,36 +49,6 @@ std::vector<Message> conversation(std::size_t count = 20) {
                    std::string(50 + 7 * i, static_cast<char>('a' + i % 26))});
   }
   return out;
-}
-
-void write_database(const std::filesystem::path& path, const std::vector<Message>& messages,
-                    const Compress& compress = {}) {
-  sqlite3* database = nullptr;
-  ASSERT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
-  sqlite3_exec(database,
-               "CREATE TABLE topics(id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format TEXT, "
-               "offered_qos_profiles TEXT);"
-               "CREATE TABLE messages(id INTEGER PRIMARY KEY, topic_id INTEGER, timestamp INTEGER, data BLOB);BEGIN",
-               nullptr, nullptr, nullptr);
-  std::map<std::string, int> ids;
-  for (const auto& m : messages) {
-    sqlite3_stmt* statement = nullptr;
-    if (ids.try_emplace(m.topic, static_cast<int>(ids.size()) + 1).second) {
-      const std::string sql =
-          "INSERT INTO topics VALUES(" + std::to_string(ids[m.topic]) + ",'" + m.topic + "','" + m.type + "','cdr','')";
-      sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr);
-    }
-    sqlite3_prepare_v2(database, "INSERT INTO messages(topic_id, timestamp, data) VALUES(?,?,?)", -1, &statement,
-                       nullptr);
-    const auto bytes = compress ? compress(m.bytes) : m.bytes;
-    sqlite3_bind_int(statement, 1, ids[m.topic]);
-    sqlite3_bind_int64(statement, 2, m.time_ns);
-    sqlite3_bind_blob(statement, 3, bytes.data(), static_cast<int>(bytes.size()), SQLITE_TRANSIENT);
-    EXPECT_EQ(sqlite3_step(statement), SQLITE_DONE);
-    sqlite3_finalize(statement);
-  }
-  sqlite3_exec(database, "COMMIT", nullptr, nullptr, nullptr);
-  sqlite3_close(database);
 }
 
 std::string text_of(Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }

@@ -1,10 +1,12 @@
 #include "io/core/scans/velodyne_pcap.h"
+#include "io/core/scans/packet_clock.h"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <numbers>
 
 #include "cloud/known_facts.h"
@@ -84,7 +86,9 @@ TEST(VelodynePcap, FramesAreWholeTurnsFromTheCutAngle) {
                   3.0 * recorder.model.rings());
       points += frame.size();
       for (std::size_t k = 0; k < frame.size(); ++k) {
-        EXPECT_NEAR(frame.positions[k].norm(), 10, 0.003);
+        const auto laser = std::ranges::find(model.channels, frame.ring[k], &sensor::LaserChannel::ring);
+        const Eigen::Vector3d height(0, 0, laser->offsets.height);
+        EXPECT_NEAR((frame.positions[k].cast<double>() - height).norm(), 10, 0.003);
         // Where the rotor was then, plus the laser's own offset.
         const double rotor = std::fmod(90 + 3600 * frame.time_offset_s[k], 360);
         EXPECT_LT(std::abs(std::remainder(azimuth_deg(frame.positions[k]) - rotor, 360)), 4.3 + 0.5);
@@ -412,6 +416,67 @@ TEST(VelodynePcap, TheCalibrationBesideACaptureWins) {
   write_file(dir / "db.xml", testing_velodyne::calibration_xml(std::vector<testing_velodyne::UnitLaser>(16)));
   const VelodynePcapSource other(path, FrameSourceOptions{}, {});
   EXPECT_THAT(codes(other.report()), testing::ElementsAre("calibration_of_another_sensor"));
+}
+
+// Packets of a VLP-32C for an hour: adding the steps up in floating point was milliseconds wrong at its end.
+TEST(VelodynePcap, TheClockDoesNotDriftOverAnHour) {
+  PacketClock clock;
+  constexpr std::int64_t step_ns = 663'552, packets = 5'400'000;
+  double worst_s = 0;
+  for (std::int64_t i = 0; i < packets; ++i) {
+    const std::int64_t past_hour_us = 1'000'000 + i * step_ns / 1000;
+    const double true_s = 1.7e9 - 800 + 1e-6 * static_cast<double>(past_hour_us);
+    const double time_s = clock.time_s(static_cast<std::uint32_t>(past_hour_us % 3'600'000'000), true_s + 0.02);
+    worst_s = std::max(worst_s, std::abs(time_s - true_s));
+  }
+  EXPECT_TRUE(clock.follows_utc());
+  EXPECT_LT(worst_s, 1e-6);
+}
+
+TEST(VelodynePcap, TheYamlOfRosIsACalibration) {
+  const TempDir dir;
+  const Recorder recorder{sensor::load_sensor_model("vlp16")};
+  const auto path = write_pcap(dir / "walk.pcap", recorder.packets(0.35));
+  const auto heights_mm = [](const VelodynePcapSource& source) {
+    std::map<int, long> out;
+    ScanFrame frame;
+    source.read(0, frame);
+    const auto elevations_rad = source.ring_elevations_rad();
+    for (std::size_t k = 0; k < frame.size(); ++k)
+      out[frame.ring[k]] = std::lround(
+          1e3 * (static_cast<double>(frame.positions[k].z()) - 10 * std::sin(elevations_rad[frame.ring[k]])));
+    return out;
+  };
+  const VelodynePcapSource maker(path, FrameSourceOptions{}, {});
+  EXPECT_EQ(maker.report().facts.at("laser_heights"), "added");
+  EXPECT_EQ(heights_mm(maker).at(0), 11);
+  EXPECT_EQ(heights_mm(maker).at(15), -11);
+  FrameSourceOptions without;
+  without.laser_heights = false;
+  const VelodynePcapSource plain(path, without, {});
+  EXPECT_EQ(plain.report().facts.at("laser_heights"), "left out");
+  EXPECT_EQ(heights_mm(plain).at(0), 0);
+  // A unit with its own heights, and one whose file does not know them.
+  const auto yaml = [](double height_m) {
+    return testing_velodyne::calibration_yaml(
+        std::vector<testing_velodyne::UnitLaser>(16, {0, 0, 0, 0, 0, 100 * height_m, 0}), 0.002);
+  };
+  write_file(dir / "unit.yaml", yaml(0.03));
+  const VelodynePcapSource own(path, FrameSourceOptions{}, {});
+  EXPECT_EQ(own.report().facts.at("calibration"), "unit.yaml");
+  EXPECT_EQ(heights_mm(own).at(3), 30);
+  write_file(dir / "unit.yaml", yaml(0));
+  const VelodynePcapSource unknown(path, FrameSourceOptions{}, {});
+  EXPECT_EQ(heights_mm(unknown).at(0), 11);
+  // Files of other sensors beside it do not matter; two of this one do.
+  write_file(dir / "other.yml",
+             testing_velodyne::calibration_yaml(std::vector<testing_velodyne::UnitLaser>(32), 0.004, true));
+  EXPECT_EQ(VelodynePcapSource(path, FrameSourceOptions{}, {}).report().facts.at("calibration"), "unit.yaml");
+  write_file(dir / "another.yaml", yaml(0));
+  EXPECT_THAT(error_of([&] { VelodynePcapSource(path, FrameSourceOptions{}, {}); }), HasSubstr("several calibrations"));
+  std::filesystem::remove(dir / "another.yaml");
+  write_file(dir / "metadata.yaml", "rosbag2_bagfile_information:\n  version: 5\n");  // another YAML
+  EXPECT_EQ(VelodynePcapSource(path, FrameSourceOptions{}, {}).size(), own.size());
 }
 
 }  // namespace

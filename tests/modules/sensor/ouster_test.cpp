@@ -7,6 +7,7 @@
 #include "checks.h"
 #include "ouster_packets.h"
 #include "sensor/core/ouster_decoder.h"
+#include "sensor/core/ouster_encoder.h"
 
 namespace bole::sensor {
 namespace {
@@ -101,6 +102,29 @@ TEST(Ouster, EveryProfileGivesTheRangesThatWereWritten) {
       EXPECT_FLOAT_EQ(r.range_m, r.return_number == 1 ? 4 : 8) << profile;
       EXPECT_EQ(r.reflectivity, r.return_number == 1 ? 40 : 50) << profile;
     }
+  }
+}
+
+// Where the settings order the returns by distance, the signals tell which is the strongest.
+TEST(Ouster, TheStrongestReturnIsNumberOneInAnyOrder) {
+  const auto model = load_sensor_model("os0_32");
+  std::vector<std::uint8_t> packet;
+  OusterEncoder encoder(model, 10, true,
+                        [&](std::span<const std::uint8_t> p, double) { packet.assign(p.begin(), p.end()); });
+  const std::vector<LaserEcho> near(32, {3, 10}), far(32, {7, 200});
+  for (int c = 0; c < 16; ++c)
+    encoder.add(1.7e9 + c * model.sequence_period_s, std::numbers::pi * (1 + c / 512.0), near, far);
+  encoder.flush();
+  for (const std::string order : {"", "STRONGEST_TO_WEAKEST", "NEAREST_TO_FARTHEST", "LAST_RETURN_FIRST"}) {
+    auto json = nlohmann::json::parse(encoder.metadata());
+    if (!order.empty()) json["config_params"]["return_order"] = order;
+    const OusterDecoder decoder(parse_ouster_metadata(json.dump()));
+    EXPECT_EQ(decoder.metadata().return_order, order);
+    std::vector<OusterReturn> returns;
+    decoder.decode(packet, returns);
+    ASSERT_EQ(returns.size(), 2U * 16 * 32);
+    const bool as_sent = order.empty() || order == "STRONGEST_TO_WEAKEST";
+    for (const auto& r : returns) EXPECT_FLOAT_EQ(r.range_m, (r.return_number == 1) == as_sent ? 3 : 7) << order;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -43,6 +44,23 @@ TEST(SensorModel, EveryFileLoadsAndNumbersItsRingsFromTheLowestBeam) {
               testing::IsSupersetOf({"vlp16", "vlp32c", "vls128", "hdl32e", "hdl64e_s2", "os0_32", "os0_64", "os0_128",
                                      "os1_32", "os1_64", "os1_128", "os2_32", "os2_64", "os2_128", "pandar_xt32",
                                      "pandar40p", "horizon", "avia", "mid360"}));
+}
+
+// VLP-16 user manual, table 9-1: millimetres by the laser's angle.
+TEST(SensorModel, LasersOfTheVlp16HaveTheHeightsOfItsManual) {
+  const std::map<int, double> heights_mm{{15, -11.2}, {13, -9.7}, {11, -8.1}, {9, -6.6},
+                                         {7, -5.1},   {5, -3.7},  {3, -2.2},  {1, -0.7}};
+  for (const auto& c : load_sensor_model("vlp16").channels) {
+    const auto angle_deg = static_cast<int>(std::lround(c.elevation_rad * 180 / std::numbers::pi));
+    const double height_mm = angle_deg > 0 ? heights_mm.at(angle_deg) : -heights_mm.at(-angle_deg);
+    EXPECT_NEAR(1e3 * c.offsets.height, height_mm, 1e-9) << angle_deg;
+  }
+  auto json = small_model();
+  EXPECT_FALSE(has_laser_heights(sensor_model_from_json(json, "own")));
+  json["height_offset_mm"] = {5, -5};
+  EXPECT_NEAR(sensor_model_from_json(json, "own").channels[1].offsets.height, -0.005, 1e-15);
+  json["height_offset_mm"] = {5};
+  EXPECT_THAT(error_of([&] { sensor_model_from_json(json, "own"); }), HasSubstr("height_offset_mm"));
 }
 
 TEST(SensorModel, NamesAreFoundAsTheMakerWritesThem) {

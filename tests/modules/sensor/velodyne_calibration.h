@@ -1,8 +1,9 @@
-// The calibration of a Velodyne unit as the maker writes it (db.xml): degrees and centimetres.
+// The calibration of a Velodyne unit, as the maker writes it (db.xml: degrees and centimetres) and as ROS does (YAML).
 #pragma once
 
 #include <fmt/format.h>
 
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,27 @@ inline std::string calibration_xml(const std::vector<UnitLaser>& lasers, double 
         l.vertical_offset_cm, l.horizontal_offset_cm);
   }
   return xml + "</points_>\n</DB>\n</boost_serialization>\n";
+}
+
+// The same as ROS keeps it: radians and metres, one map per laser, in block or flow style.
+inline std::string calibration_yaml(const std::vector<UnitLaser>& lasers, double range_step_m, bool flow = false,
+                                    const std::string& more = {}) {
+  constexpr double degree = std::numbers::pi / 180;
+  std::string yaml = "lasers:\n";
+  for (std::size_t i = 0; i < lasers.size(); ++i) {
+    const auto& l = lasers[i];
+    std::string entry = fmt::format(
+        "dist_correction: {}, dist_correction_x: {}, dist_correction_y: {}, focal_distance: 0.0, focal_slope: 0.0, "
+        "horiz_offset_correction: {}, laser_id: {}, {}rot_correction: {}, vert_correction: {}, "
+        "vert_offset_correction: {}",
+        l.range_cm / 100, l.near_x_cm / 100, l.near_y_cm / 100, l.horizontal_offset_cm / 100,
+        l.id < 0 ? static_cast<int>(i) : l.id, more, l.rotation_deg * degree, l.vertical_deg * degree,
+        l.vertical_offset_cm / 100);
+    if (!flow)
+      for (std::size_t at = 0; (at = entry.find(", ", at)) != std::string::npos;) entry.replace(at, 2, "\n    ");
+    yaml += flow ? "  - {" + entry + "}\n" : "  - " + entry + "\n";
+  }
+  return yaml + fmt::format("num_lasers: {}  # of the unit\ndistance_resolution: {}\n", lasers.size(), range_step_m);
 }
 
 }  // namespace bole::testing_velodyne

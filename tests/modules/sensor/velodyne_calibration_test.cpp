@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "checks.h"
 #include "modules/sensor/velodyne_calibration.h"
 #include "sensor/core/spinning_beams.h"
 
@@ -15,18 +16,15 @@ namespace bole::sensor {
 namespace {
 
 using testing::HasSubstr;
+using testing_checks::error_of;
 using testing_velodyne::calibration_xml;
+using testing_velodyne::calibration_yaml;
 using testing_velodyne::UnitLaser;
 
 constexpr double degree = std::numbers::pi / 180;
 
 std::string error_of_xml(const std::string& xml) {
-  try {
-    velodyne_model_from_xml(xml);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return {};
+  return error_of([&] { velodyne_model_from(xml); });
 }
 
 TEST(VelodyneCalibration, GivesTheLasersOfTheUnit) {
@@ -103,7 +101,7 @@ TEST(VelodyneCalibration, AUnitWithoutOffsetsIsTheNominalSensor) {
 TEST(VelodyneCalibration, WhatCannotBeIsRefusedInWords) {
   const std::vector<UnitLaser> lasers(64);
   const auto whole = calibration_xml(lasers);
-  EXPECT_THAT(error_of_xml(""), HasSubstr("XML"));
+  EXPECT_THAT(error_of([] { velodyne_model_from_xml(""); }), HasSubstr("XML"));
   EXPECT_THAT(error_of_xml("<a/>"), HasSubstr("<DB>"));
   EXPECT_THAT(error_of_xml(whole.substr(0, whole.size() / 2)), HasSubstr("XML"));
   EXPECT_THAT(error_of_xml(calibration_xml(std::vector<UnitLaser>(5))), HasSubstr("enables 5 lasers"));
@@ -116,6 +114,84 @@ TEST(VelodyneCalibration, WhatCannotBeIsRefusedInWords) {
   auto steep = lasers;
   steep[1].vertical_deg = 1e9;
   EXPECT_THAT(error_of_xml(calibration_xml(steep)), HasSubstr("vertCorrection_"));
+}
+
+// XML and YAML of the same unit.
+TEST(VelodyneCalibration, BothFormsGiveTheSameUnit) {
+  std::vector<UnitLaser> lasers(64);
+  for (std::size_t i = 0; i < 64; ++i) {
+    const auto n = static_cast<double>(i);
+    lasers[i] = {0.1 * n - 3, 2 - 0.4 * n, 100 + n, 101 + n, 102 + n, 20 - 0.1 * n, i % 2 == 0 ? 2.6 : -2.6};
+  }
+  const auto xml = velodyne_model_from(calibration_xml(lasers));
+  for (const bool flow : {false, true}) {
+    const auto yaml = velodyne_model_from(calibration_yaml(lasers, 0.002, flow, "two_pt_correction_available: true, "));
+    EXPECT_EQ(yaml.id, xml.id);
+    EXPECT_EQ(yaml.range_quantum_m, xml.range_quantum_m);
+    for (std::size_t i = 0; i < 64; ++i) {
+      const auto &a = yaml.channels[i], &b = xml.channels[i];
+      EXPECT_NEAR(a.elevation_rad, b.elevation_rad, 1e-12);
+      EXPECT_NEAR(a.azimuth_offset_rad, b.azimuth_offset_rad, 1e-12);
+      EXPECT_EQ(a.ring, b.ring);
+      EXPECT_NEAR(a.offsets.range, b.offsets.range, 1e-12);
+      EXPECT_NEAR(a.offsets.near_x, b.offsets.near_x, 1e-12);
+      EXPECT_NEAR(a.offsets.near_y, b.offsets.near_y, 1e-12);
+      EXPECT_NEAR(a.offsets.vertical, b.offsets.vertical, 1e-12);
+      EXPECT_NEAR(a.offsets.horizontal, b.offsets.horizontal, 1e-12);
+      EXPECT_TRUE(a.offsets.two_points);
+    }
+    // Without the word that they are known, the two distances are not used (as in velodyne_pointcloud).
+    EXPECT_FALSE(velodyne_model_from(calibration_yaml(lasers, 0.002, flow)).channels[0].offsets.two_points);
+  }
+}
+
+TEST(VelodyneCalibration, TheShortestYamlHasAnglesAlone) {
+  const std::string yaml =
+      "# beams\n---\nnum_lasers: 16\nlasers: [{laser_id: 1, rot_correction: 1e-2, vert_correction: -0.2}";
+  std::string whole = yaml;
+  for (const int id : {0, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15})
+    whole += ", {laser_id: " + std::to_string(id) + ", rot_correction: 0, vert_correction: 0.1}";
+  const auto model = velodyne_model_from(whole + "]\n");
+  EXPECT_EQ(model.id, "vlp16");
+  EXPECT_EQ(model.range_quantum_m, 0.002);
+  EXPECT_NEAR(model.channels[1].azimuth_offset_rad, -0.01, 1e-15);
+  EXPECT_NEAR(model.channels[1].elevation_rad, -0.2, 1e-15);
+  EXPECT_EQ(model.channels[1].ring, 0);
+}
+
+TEST(VelodyneCalibration, AVerticalOffsetOfASmallSensorIsAHeight) {
+  std::vector<UnitLaser> lasers(16);
+  lasers[2].vertical_offset_cm = 0.97;
+  for (const auto& text : {calibration_xml(lasers), calibration_yaml(lasers, 0.002)}) {
+    const auto own = velodyne_model_from(text);
+    EXPECT_NEAR(own.channels[2].offsets.height, 0.0097, 1e-12);
+    EXPECT_EQ(own.channels[2].offsets.vertical, 0);
+    EXPECT_EQ(own.channels[0].offsets.height, 0);
+  }
+  // A file whose offsets are all zero does not know them.
+  const auto unknown = velodyne_model_from(calibration_xml(std::vector<UnitLaser>(16)));
+  EXPECT_NEAR(unknown.channels[0].offsets.height, 0.0112, 1e-12);
+  EXPECT_FALSE(has_laser_heights(without_laser_heights(unknown)));
+}
+
+TEST(VelodyneCalibration, AYamlThatCannotBeIsRefusedInWords) {
+  const std::vector<UnitLaser> lasers(16);
+  const auto whole = calibration_yaml(lasers, 0.002);
+  const auto error_with = [&](const std::string& from, const std::string& to) {
+    auto text = whole;
+    text.replace(text.find(from), from.size(), to);
+    return error_of_xml(text);
+  };
+  EXPECT_THAT(error_of_xml(""), HasSubstr("lists no lasers"));
+  EXPECT_THAT(error_of_xml(whole.substr(0, whole.size() / 2)), HasSubstr("laser"));
+  EXPECT_THAT(error_with("laser_id: 3", "laser_id: 4"), HasSubstr("laser 4 is there twice"));
+  EXPECT_THAT(error_with("laser_id: 3", "laser_id: 300"), HasSubstr("laser 3 is absent"));
+  EXPECT_THAT(error_with("laser_id: 3", "nothing: 3"), HasSubstr("no 'laser_id'"));
+  EXPECT_THAT(error_with("vert_correction: 0", "vert_correction: nan"), HasSubstr("'vert_correction' is 'nan'"));
+  EXPECT_THAT(error_with("rot_correction: 0", "rot_correction: 1e9"), HasSubstr("'rot_correction' is '1e9'"));
+  EXPECT_THAT(error_with("num_lasers: 16", "num_lasers: 15"), HasSubstr("num_lasers is 15"));
+  EXPECT_THAT(error_with("num_lasers: 16", "num_lasers: 32"), HasSubstr("laser 16 is absent"));
+  EXPECT_THAT(error_of_xml(calibration_yaml(std::vector<UnitLaser>(2000), 0.002)), HasSubstr("1024"));
 }
 
 }  // namespace

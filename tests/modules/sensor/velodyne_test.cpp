@@ -76,7 +76,9 @@ void expect_round_trip(const std::string& name) {
       const double azimuth = std::atan2(-r.position.y(), r.position.x());
       // Half a quantum of the block's azimuth, and as much for the next block's at the interpolated end.
       EXPECT_NEAR(std::remainder(azimuth - shot.azimuth_rad, 2 * std::numbers::pi), 0, 0.011 * std::numbers::pi / 180);
-      EXPECT_NEAR(std::asin(r.position.z() / r.position.norm()), model.channels[r.channel].elevation_rad, 1e-6);
+      const auto& laser = model.channels[r.channel];
+      const Eigen::Vector3d ray = r.position.cast<double>() - Eigen::Vector3d(0, 0, laser.offsets.height);
+      EXPECT_NEAR(std::asin(ray.z() / ray.norm()), laser.elevation_rad, 1e-6);
     }
   }
   EXPECT_EQ(seen, recording.shots.size());

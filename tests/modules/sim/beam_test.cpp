@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+
+#include "base/error.h"
+#include "sensor/core/spinning_beams.h"
 
 namespace bole::sim {
 namespace {
@@ -45,6 +49,36 @@ struct Shot {
 
 TEST(Beam, measures_a_wall_exactly_without_noise) {
   for (const auto& echo : Shot{{wall(7.25f, -5, 5)}}.fire(50)) EXPECT_NEAR(echo.range_m, 7.25, 1e-4);
+}
+
+// What a sensor measures of a wall and a floor comes back as one, wherever its lasers stand.
+TEST(Beam, the_decoder_puts_lasers_where_the_simulator_has_them) {
+  SceneModel model;
+  Piece floor = wall(0, 0, 0);
+  floor.mesh.vertices = {{-20, -20, -1.5}, {20, -20, -1.5}, {20, 20, -1.5}, {-20, 20, -1.5}};
+  model.pieces = {wall(7.25f, -9, 9), floor};
+  const RayScene scene(model);
+  sensor::SensorModel sensor = sensor::load_sensor_model("vlp16");
+  ASSERT_TRUE(sensor::has_laser_heights(sensor));
+  sensor.channels[3].offsets = {0.9, 0.2, -0.03, 0, 0, false, 0};  // as a laser of an HDL-64E
+  sensor.channels[4].offsets = {0, 0, 0, 0, 0, false, 1};
+  BeamParameters parameters = exact();
+  parameters.divergence = 0;
+  const Beam beam(sensor, parameters, scene, 1);
+  const sensor::SpinningBeams beams(sensor);
+  for (std::size_t c = 0; c < sensor.channels.size(); ++c)
+    for (const int azimuth_deg : {-30, 0, 20}) {
+      const double azimuth_rad = azimuth_deg * std::numbers::pi / 180;
+      const auto echo = beam.fire(Pose::Identity(), c, azimuth_rad, c);
+      ASSERT_GT(echo.range_m, 0) << c;
+      std::vector<sensor::VelodyneReturn> out;
+      sensor::VelodyneFiring firing{0, true, 100.0 * azimuth_deg, 0, 0};
+      beams.append(echo.range_m, 1, c, firing, 1, 0, 0, 1, out);
+      const auto& p = out.at(0).position;
+      EXPECT_LT(std::min(std::abs(p.x() - 7.25f), std::abs(p.z() + 1.5f)), 1e-4f) << c << " " << azimuth_deg;
+    }
+  sensor.channels[5].offsets.two_points = true;
+  EXPECT_THROW(Beam(sensor, parameters, scene, 1), Error);
 }
 
 TEST(Beam, noise_has_the_sigma_of_the_sensor) {
@@ -195,7 +229,20 @@ TEST(Beam, dual_return_tells_two_surfaces_apart) {
     }
   }
   EXPECT_EQ(both, 200);
+  // The two strongest are the same two, the stronger first.
+  parameters.by_strength = true;
+  const Beam by_strength(sensor, parameters, scene, 1);
+  int nearer_first = 0;
+  for (std::uint64_t i = 0; i < 200; ++i) {
+    const Echoes pair = by_strength.fire(Pose::Identity(), 0, 0, i, 0);
+    const auto single = Beam(sensor, exact(), scene, 1).fire(Pose::Identity(), 0, 0, i);
+    EXPECT_EQ(pair.strongest.range_m, single.range_m);
+    EXPECT_NEAR(pair.strongest.range_m + pair.last.range_m, 19, 2e-3);
+    nearer_first += pair.strongest.range_m < 9;
+  }
+  EXPECT_GT(nearer_first, 100);
   // One surface: both are the same.
+  parameters.by_strength = false;
   SceneModel alone;
   alone.pieces = {wall(9, -5, 5)};
   const RayScene one(alone);

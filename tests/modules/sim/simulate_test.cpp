@@ -359,6 +359,23 @@ TEST_F(Simulation, dual_returns_are_in_the_packets) {
   EXPECT_THROW(run("frames"), Error);
 }
 
+// Sensors of other makers: packets, with the file that readers find beside them.
+TEST_F(Simulation, dual_returns_of_other_makers_are_in_packets) {
+  recipe_.understorey.shrubs_per_ha = 3000;
+  options_.max_time = 0.3;
+  for (const auto& [name, beside] : {std::pair{"os0_32", "walk.json"}, std::pair{"pandar_xt32", "walk.csv"}}) {
+    options_.sensor = name;
+    options_.dual_return = false;
+    const auto single = run(std::string(name) + "_single").counts.at("returns");
+    EXPECT_TRUE(fs::exists(dir_ / (std::string(name) + "_single") / "frames"));
+    options_.dual_return = true;
+    const auto both = run(name).counts.at("returns");
+    EXPECT_GT(both, single + single / 200) << name;
+    EXPECT_TRUE(fs::exists(dir_ / name / "walk.pcap"));
+    EXPECT_TRUE(fs::exists(dir_ / name / beside));
+  }
+}
+
 // Points of a rosette and true poses give back the ground; its frames last 0.1 s and cover the field of view.
 TEST_F(Simulation, rosettes_give_frames_over_their_field_of_view) {
   recipe_.size_m = 40;

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <fstream>
 #include <limits>
 #include <numbers>
@@ -202,6 +204,38 @@ TEST(Slam, ALongCorridorIsRefusedAndAPlotIsNot) {
     }
     const auto plot = straight_walk(synthetic::trunks(9, 3.5), preset, SpinningSensor::vlp32c(900));
     EXPECT_EQ(plot.counts.at("frames_failed"), 0) << name << " " << plot.metrics.at("weakest_observability").value;
+  }
+}
+
+// The spurious surfaces of a coarse sensor count as observed (observability of 20 and more), so that the corridor is
+// not refused. The map is wrong by metres, which has to be told.
+TEST(Slam, ACorridorThatIsNotRefusedIsTold) {
+  synthetic::World corridor;
+  corridor.planes.push_back({Eigen::Vector3d::UnitZ(), 0});
+  corridor.planes.push_back({Eigen::Vector3d::UnitY(), 1.6});
+  corridor.planes.push_back({Eigen::Vector3d::UnitY(), -1.3});
+  const auto told = [](const Report& report) {
+    return std::ranges::find(report.findings, "surfaces_face_one_way", &Finding::code) != report.findings.end();
+  };
+  auto sensor = SpinningSensor::even(32, -25, 15, 360);
+  sensor.range_noise_m = 0.01;
+  auto options = with_preset(Preset::best);
+  options.refine_iterations = 0;
+  options.dense_map = false;
+  const auto glide = [](double t) {
+    Pose T = Pose::Identity();
+    T.translation() = Eigen::Vector3d(t, 0, 1.5);
+    return T;
+  };
+  const auto walk = run_slam(SyntheticScan(corridor, sensor, glide, 50), options, {});
+  std::printf("corridor: spread %.4f, observability %.1f, end %.2f m of %.2f m\n",
+              walk.report.metrics.at("surface_spread").value, walk.report.metrics.at("weakest_observability").value,
+              walk.trajectory.poses.back().T_target_sensor.translation().norm(), 4.95);
+  EXPECT_TRUE(told(walk.report));
+  for (const double spacing : {3.5, 6.0}) {
+    const auto plot = run_slam(SyntheticScan(synthetic::trunks(9, spacing), sensor, glide, 50), options, {});
+    std::printf("trunks %.1f m apart: spread %.3f\n", spacing, plot.report.metrics.at("surface_spread").value);
+    EXPECT_FALSE(told(plot.report)) << spacing;
   }
 }
 

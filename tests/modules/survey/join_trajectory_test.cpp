@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <random>
 
 #include "cloud/known_facts.h"
 #include "survey/core/path_clock.h"
 #include "survey/core/path_curve.h"
+#include "synthetic/scan_world.h"
 
 namespace bole::survey {
 namespace {
@@ -190,6 +193,61 @@ TEST(JoinTrajectory, APathThatWasMovedIsTold) {
     const auto* found = finding(join_trajectory(mapped(0), path, {}, {}).report, "path_place_suspect");
     ASSERT_NE(found, nullptr) << by.transpose();
     EXPECT_THAT(found->text, HasSubstr(by.z() == 0 ? "aside" : "above the lowest"));
+  }
+}
+
+// Two hundred stems on level ground, seen from a walk between them; the sensor is in sight of every point.
+PointCloud seen_stems(const Trajectory& path) {
+  synthetic::World world;
+  world.planes.push_back({Eigen::Vector3d::UnitZ(), -1.5});
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-15, 45), radius(0.08, 0.2);
+  const auto way = [&](const Eigen::Vector2d& at) {
+    double nearest = 1e9;
+    for (const auto& pose : path.poses)
+      nearest = std::min(nearest, (pose.T_target_sensor.translation().head<2>() - at).norm());
+    return nearest;
+  };
+  while (world.cylinders.size() < 200) {
+    const Eigen::Vector2d at(place(random), place(random));
+    if (way(at) > 0.8) world.cylinders.push_back({{at.x(), at.y(), -2}, Eigen::Vector3d::UnitZ(), radius(random), 12});
+  }
+  PointCloud::Positions positions;
+  std::vector<double> time;
+  std::uniform_real_distribution<double> turn(0, 2 * std::numbers::pi), up(-0.4, 0.4);
+  const double length = path.poses.back().time_s - path.poses.front().time_s;
+  for (int i = 0; i < 150000; ++i) {
+    const double t = length * i / 150000;
+    const auto& sensor = path.poses[static_cast<std::size_t>(t * 10)].T_target_sensor;
+    const double a = turn(random), e = up(random);
+    const Eigen::Vector3d ray(std::cos(e) * std::cos(a), std::cos(e) * std::sin(a), std::sin(e));
+    const double range = world.range(sensor.translation(), ray);
+    if (!(range < 40)) continue;
+    positions.push_back((sensor.translation() + range * ray).cast<float>());
+    time.push_back(path.poses[static_cast<std::size_t>(t * 10)].time_s);
+  }
+  PointCloud cloud(std::move(positions), Eigen::Vector3d::Zero());
+  cloud.set_column(arrays::time, std::move(time));
+  return cloud;
+}
+
+// Less than the median distance of the points: neither distances nor the middle of the points tell.
+TEST(JoinTrajectory, APathThatLooksThroughStemsIsTold) {
+  auto path = walk(0);
+  for (auto& pose : path.poses) pose.T_target_sensor.translation() -= Eigen::Vector3d(500000, 5400000, 301.5);
+  const auto cloud = seen_stems(path);
+  const auto right = join_trajectory(cloud, path, {}, {});
+  EXPECT_EQ(finding(right.report, "path_looks_through_points"), nullptr);
+  std::printf("rays through points: %.3f\n", right.report.metrics.at("rays_through_points").value);
+  for (const Eigen::Vector3d& by : {Eigen::Vector3d(1.5, 0, 0), Eigen::Vector3d(-2, 1, 0), Eigen::Vector3d(0, -4, 0)}) {
+    auto moved = path;
+    for (auto& pose : moved.poses) pose.T_target_sensor.translation() += by;
+    const auto joined = join_trajectory(cloud, moved, {}, {});
+    std::printf("moved by %.1f m: %.3f\n", by.norm(), joined.report.metrics.at("rays_through_points").value);
+    EXPECT_EQ(finding(joined.report, "path_place_suspect"), nullptr);
+    const auto* found = finding(joined.report, "path_looks_through_points");
+    ASSERT_NE(found, nullptr) << by.transpose();
+    EXPECT_THAT(found->text, HasSubstr("m in x"));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "cloud/index_times.h"
 #include "io/core/bags/bag.h"
 #include "io/core/bags/ring_order.h"
 #include "io/core/bags/time_dialect.h"
@@ -15,7 +16,7 @@ namespace bole::io {
 // One message is one frame. Messages are decoded when they are read; a few, spread over the recording, are looked at
 // when it is opened, to find the unit and the origin of the times, the order of the rings and the scale of the
 // intensities.
-class BagCloudSource : public FrameSource {
+class BagCloudSource : public FrameSource, public IndexTimes {
  public:
   // Throws Error{bad_input} where no message of the topic can be read.
   BagCloudSource(std::shared_ptr<const Bag> bag, std::size_t topic, const std::filesystem::path& path,
@@ -24,6 +25,7 @@ class BagCloudSource : public FrameSource {
   std::size_t size() const override { return messages_.size(); }
   void read(std::size_t index, ScanFrame& frame) const override;
   double frame_time_s(std::size_t index) const override;
+  double index_time_s(std::size_t index) const override;
   int rings() const override;
   ScanPattern pattern() const override { return rosette_ ? ScanPattern::rosette : ScanPattern::lines; }
   std::vector<double> ring_elevations_rad() const override { return elevations_rad_; }
@@ -45,6 +47,8 @@ class BagCloudSource : public FrameSource {
   void learn_livox_clock(const std::vector<Sample>& samples);
   void learn_rings(const std::vector<RawPoints>& samples);
   void learn_intensity(const std::vector<RawPoints>& samples);
+  void learn_tags(const std::vector<RawPoints>& samples);
+  void learn_index_times(const std::vector<Sample>& samples);
   void check_axes(const std::vector<RawPoints>& samples);
   double start_time_s(std::size_t index) const;
   void set_times(const RawPoints& points, ScanFrame& frame) const;
@@ -62,6 +66,8 @@ class BagCloudSource : public FrameSource {
   bool starts_at_stamp_ = false, times_by_order_ = false;
   RingOrder ring_order_;
   bool rosette_ = false, rings_by_order_ = false;
+  bool tags_number_returns_ = true;
+  std::optional<double> index_shift_s_;  // from the time of recording to the start of the frame, where it is constant
   float intensity_factor_ = 1;
   std::vector<double> elevations_rad_;
   Facts facts_;

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/option.h"
 #include "base/verdict.h"
+#include "cloud/index_times.h"
 #include "io/core/bags/bag_clouds.h"
 #include "io/core/bags/bag_inertial.h"
 #include "io/core/bags/bag_ouster.h"
@@ -19,7 +20,7 @@ namespace bole::io {
 namespace {
 
 // Frames of a topic, and the inertial unit of another one.
-class FramesWithInertial : public FrameSource {
+class FramesWithInertial : public FrameSource, public IndexTimes {
  public:
   FramesWithInertial(std::shared_ptr<const FrameSource> frames, BagInertial inertial)
       : frames_(std::move(frames)), inertial_(std::move(inertial)) {}
@@ -27,6 +28,7 @@ class FramesWithInertial : public FrameSource {
   std::size_t size() const override { return frames_->size(); }
   void read(std::size_t index, ScanFrame& frame) const override { frames_->read(index, frame); }
   double frame_time_s(std::size_t index) const override { return frames_->frame_time_s(index); }
+  double index_time_s(std::size_t index) const override { return cloud::index_time_s(*frames_, index); }
   int rings() const override { return frames_->rings(); }
   ScanPattern pattern() const override { return frames_->pattern(); }
   const InertialRecord* inertial() const override {

@@ -40,6 +40,7 @@ void keep_of(std::vector<T>& values, const std::vector<std::size_t>& indices) {
 // Takes the return numbers from the tags, and leaves out what the device is sure is noise. Devices count the returns
 // from 0 or from 1.
 void use_tags(const std::vector<std::int64_t>& tags, RawPoints& points) {
+  points.tagged_noise = 0;
   if (tags.size() != points.positions.size() || tags.empty()) return;
   const auto number = [](std::int64_t tag) { return sensor::livox_return(static_cast<std::uint8_t>(tag)); };
   int first = number(tags.front());
@@ -47,6 +48,7 @@ void use_tags(const std::vector<std::int64_t>& tags, RawPoints& points) {
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < tags.size(); ++i)
     if (!sensor::is_livox_noise(static_cast<std::uint8_t>(tags[i]))) kept.push_back(i);
+  points.tagged_noise = tags.size() - kept.size();
   points.return_number.resize(tags.size());
   for (std::size_t i = 0; i < tags.size(); ++i) points.return_number[i] = number(tags[i]) - first + 1;
   points.keep(kept);
@@ -135,6 +137,28 @@ void read_livox_points(const LivoxMessage& message, RawPoints& out) {
     out.time[i] = point.offset_ns;
   }
   use_tags(tags, out);
+}
+
+LaterReturns returns_on_one_ray(const RawPoints& points) {
+  LaterReturns out;
+  const auto count = static_cast<std::ptrdiff_t>(points.positions.size());
+  if (points.return_number.size() != points.positions.size()) return out;
+  constexpr float max_angle_rad = 5e-4F;  // coordinates are rounded to 1 mm, a point at 2 m is 0.25 mrad off at most
+  constexpr std::ptrdiff_t reach = 3;     // firings have up to three returns
+  for (std::ptrdiff_t i = 0; i < count; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    if (points.return_number[at] <= 1) continue;
+    ++out.count;
+    const Eigen::Vector3f ray = points.positions[at].normalized();
+    for (auto k = std::max<std::ptrdiff_t>(0, i - reach); k < std::min(count, i + reach + 1); ++k) {
+      const auto other = static_cast<std::size_t>(k);
+      if (points.return_number[other] >= points.return_number[at]) continue;
+      if (points.positions[other].normalized().cross(ray).norm() > max_angle_rad) continue;
+      ++out.on_one_ray;
+      break;
+    }
+  }
+  return out;
 }
 
 void keep_valid(RawPoints& points, double min_range_m, double max_range_m) {

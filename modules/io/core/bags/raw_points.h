@@ -29,8 +29,9 @@ struct RawPoints {
   std::vector<float> intensity;  // these are empty where the recording has none
   std::vector<std::int64_t> ring;
   std::vector<std::int64_t> return_number;
-  std::vector<double> time;  // in the unit and from the origin of the recording
-  std::size_t missing = 0;   // points that the message declares and does not hold
+  std::vector<double> time;      // in the unit and from the origin of the recording
+  std::size_t missing = 0;       // points that the message declares and does not hold
+  std::size_t tagged_noise = 0;  // left out, as the tags of the device say
 
   void keep(const std::vector<std::size_t>& indices);  // sorted
 };
@@ -39,6 +40,13 @@ struct RawPoints {
 void read_cloud_points(const CloudMessage& message, const CloudLayout& layout, RawPoints& out);
 // Times are nanoseconds after the stamp.
 void read_livox_points(const LivoxMessage& message, RawPoints& out);
+
+// Points with a return number above 1, and those of them that lie on the ray of a neighbour in the order of firing with
+// a smaller number.
+struct LaterReturns {
+  std::size_t count = 0, on_one_ray = 0;
+};
+LaterReturns returns_on_one_ray(const RawPoints& points);
 
 // Drops points that are not numbers, lie at the sensor (drivers pad with zeros) or outside the limits of range.
 void keep_valid(RawPoints& points, double min_range_m, double max_range_m);

@@ -155,6 +155,7 @@ std::optional<fs::path> FrameFolderSource::find_frames(const fs::path& folder) {
 FrameFolderSource::FrameFolderSource(const fs::path& folder, const FrameSourceOptions& options, const Run& run)
     : folder_(folder), options_(options) {
   find_files();
+  check_sizes();
   run.check_cancel();
   find_times();
   find_sensor();
@@ -175,6 +176,24 @@ void FrameFolderSource::find_files() {
   const auto others = std::erase_if(files_, [&](const fs::path& p) { return p.extension() != extension; });
   if (others > 0)
     report_.warn(std::to_string(others) + " files were skipped: frames are read from *" + extension.string() + " only");
+}
+
+// Frames are read one by one, when nobody may look at what was lost any more: their sizes tell before.
+void FrameFolderSource::check_sizes() {
+  constexpr std::uintmax_t point_bytes = 16;
+  std::size_t damaged = 0;
+  fs::path first;
+  for (const auto& file : files_) {
+    std::error_code error;
+    const auto bytes = fs::file_size(file, error);
+    const bool whole = !error && bytes > 0 && (file.extension() != ".bin" || bytes % point_bytes == 0);
+    if (!whole && damaged++ == 0) first = file;
+  }
+  if (damaged == 0) return;
+  report_.counts["damaged_frames"] = static_cast<std::int64_t>(damaged);
+  report_.find(Severity::look, "input_damaged",
+               std::to_string(damaged) + " of " + std::to_string(files_.size()) +
+                   " frames are empty or cut off (first: " + first.filename().string() + ")");
 }
 
 void FrameFolderSource::find_times() {

@@ -49,6 +49,7 @@ class FrameFolderSource : public FrameSource {
 
  private:
   void find_files();
+  void check_sizes();
   void find_times();
   void find_sensor();
   void learn_rings();

@@ -20,7 +20,7 @@ const OptionTable& option_table(const FrameSourceOptions*) {
                                  Tier::basic,
                                  "Sensor model: auto (from the packets), a name such as vlp16, vls128, os1_128, "
                                  "pandar_xt32 or mid360, or a file of your own unit: Ouster JSON, Hesai correction "
-                                 "CSV, Velodyne calibration (db.xml), or beams as JSON."},
+                                 "CSV, Velodyne calibration (db.xml, or YAML of ROS), or beams as JSON."},
           Option<S, std::string>{"topic",
                                  &S::topic,
                                  TextKind::plain,
@@ -57,6 +57,9 @@ const OptionTable& option_table(const FrameSourceOptions*) {
           Option<S, bool>{"keep_partial_frames", &S::keep_partial_frames, Tier::advanced,
                           "Keep the first and last frame of a capture when they cover less than nine tenths of a "
                           "revolution."},
+          Option<S, bool>{"laser_heights", &S::laser_heights, Tier::expert,
+                          "Add the height of each laser on the sensor's axis, where its maker states one (VLP-16: up "
+                          "to 11 mm). Off gives the points of decoders that leave it out."},
           Option<S, std::optional<int>>{"port",
                                         &S::port,
                                         Unit::none,

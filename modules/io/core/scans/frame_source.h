@@ -21,6 +21,7 @@ struct FrameSourceOptions {
   double max_range = 300;
   double cut_angle_deg = 180;  // clockwise from forward
   bool keep_partial_frames = false;
+  bool laser_heights = true;
   std::optional<int> port;  // UDP; open: that of the first data packet
   double frame_period = 0.1;
   int rings = 64;

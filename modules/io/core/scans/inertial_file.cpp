@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/no_number.h"
 #include "base/statistics.h"
+#include "cloud/index_times.h"
 #include "io/core/bytes/line_reader.h"
 #include "io/core/tables/table_file.h"
 
@@ -219,13 +220,14 @@ void report_gaps(const InertialRecord& record, Report& report) {
 }
 
 // Forwards to a source and adds a record.
-class WithInertial : public FrameSource {
+class WithInertial : public FrameSource, public IndexTimes {
  public:
   WithInertial(std::shared_ptr<const FrameSource> scan, std::optional<InertialRecord> record)
       : scan_(std::move(scan)), record_(std::move(record)) {}
   std::size_t size() const override { return scan_->size(); }
   void read(std::size_t index, ScanFrame& frame) const override { scan_->read(index, frame); }
   double frame_time_s(std::size_t index) const override { return scan_->frame_time_s(index); }
+  double index_time_s(std::size_t index) const override { return cloud::index_time_s(*scan_, index); }
   int rings() const override { return scan_->rings(); }
   ScanPattern pattern() const override { return scan_->pattern(); }
   const InertialRecord* inertial() const override { return record_ ? &*record_ : nullptr; }

@@ -58,6 +58,7 @@ void OusterSource::fill_report(const Counts& counts) {
       metadata.profile == sensor::OusterProfile::dual_return || metadata.profile == sensor::OusterProfile::low_rate_dual
           ? "dual"
           : "strongest";
+  if (!metadata.return_order.empty()) report_.facts["return_order"] = metadata.return_order;
   report_.facts["clock"] = counts.follows_utc ? "sensor (UTC)" : "recorder, continued by the sensor";
   facts_ = sensor_facts(metadata.model);
   set_fact(facts_, counts.follows_utc ? Clock::utc : Clock::recorder);

@@ -18,7 +18,10 @@ class PacketClock {
 
  private:
   bool started_ = false, follows_utc_ = false, jumped_ = false;
-  double time_s_ = 0, capture_time_s_ = 0, past_hour_s_ = 0;
+  // Whole microseconds are counted: sums of steps of some 100 us on top of 1.7e9 s would drift by up to 0.2 ms a second.
+  double start_s_ = 0, capture_time_s_ = 0;
+  std::int64_t since_start_us_ = 0;
+  std::uint32_t past_hour_us_ = 0;
 };
 
 // b - a of two times past the hour that are less than half an hour apart, microseconds.

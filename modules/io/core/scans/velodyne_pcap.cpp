@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <utility>
 
 #include "base/error.h"
 #include "io/core/scans/beside_capture.h"
+#include "io/core/scans/calibration_beside.h"
 #include "io/core/scans/capture_damage.h"
 #include "io/core/scans/pcap_reader.h"
 #include "io/core/scans/sensor_facts.h"
-#include "sensor/core/velodyne_calibration.h"
 
 namespace bole::io {
 namespace {
@@ -24,30 +23,6 @@ std::string product_text(const sensor::VelodynePacket& packet) {
   char text[64];
   std::snprintf(text, sizeof text, "product id 0x%02X, return mode 0x%02X", packet.product_id, packet.return_mode);
   return text;
-}
-
-bool is_calibration(const std::filesystem::path& path) {
-  if (path.extension() != ".xml") return false;
-  std::ifstream file(path, std::ios::binary);
-  const std::string xml((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  return sensor::is_velodyne_calibration(xml);
-}
-
-// The calibration that lies beside a capture: the one with its name, or the only one in its folder.
-std::filesystem::path calibration_beside(const std::filesystem::path& capture) {
-  auto same_name = capture;
-  same_name.replace_extension(".xml");
-  if (is_calibration(same_name)) return same_name;
-  std::vector<std::filesystem::path> files;
-  std::error_code ignored;
-  if (!std::filesystem::exists(capture, ignored)) return {};
-  const auto folder = capture.parent_path().empty() ? std::filesystem::path(".") : capture.parent_path();
-  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
-    if (is_calibration(entry.path())) files.push_back(entry.path());
-  if (files.size() > 1)
-    throw bad_input("several calibrations lie beside '" + capture.filename().string() + "'", "one",
-                    "Give it the name of the capture, or name it with the option sensor");
-  return files.empty() ? std::filesystem::path() : files.front();
 }
 
 }  // namespace
@@ -158,8 +133,7 @@ VelodynePcapSource::VelodynePcapSource(std::unique_ptr<DatagramReader> packets, 
 }
 
 void VelodynePcapSource::index(const Run& run) {
-  if (!decoder_ && options_.sensor != "auto")
-    decoder_ = std::make_unique<sensor::VelodynePackets>(sensor::load_sensor_model(options_.sensor));
+  if (!decoder_ && options_.sensor != "auto") decode_as(sensor::load_sensor_model(options_.sensor));
   port_ = options_.port.value_or(0);
   const double end = reader_->end();
   Indexer indexer(*this, options_.cut_angle_deg * 100);
@@ -235,23 +209,30 @@ void VelodynePcapSource::recognise(Bytes payload) {
     throw bad_input(
         "'" + name_ + "' holds packets of a Velodyne sensor that is not known (" + product_text(*packet) + ")",
         "VLP-16, VLP-32C, VLS-128, HDL-32E or HDL-64E", "Name the sensor with the option sensor");
-  if (const auto file = calibration_beside(path_); !file.empty()) {
-    auto calibrated = sensor::load_sensor_model(file.string());
-    if (calibrated.channels.size() == model->channels.size()) {
-      model = std::move(calibrated);
-      report_.facts["calibration"] = file.filename().string();
-    } else {
-      report_.find(Severity::look, "calibration_of_another_sensor",
-                   "'" + file.filename().string() + "' calibrates " + std::to_string(calibrated.channels.size()) +
-                       " lasers, the capture is of a " + model->name + " with " +
-                       std::to_string(model->channels.size()) + ": it was left out");
-    }
+  std::optional<sensor::SensorModel> foreign;
+  if (auto own = calibration_beside(path_, *model, foreign)) {
+    report_.facts["calibration"] = own->file.filename().string();
+    model = std::move(own);
+  } else if (foreign) {
+    report_.find(Severity::look, "calibration_of_another_sensor",
+                 "'" + foreign->file.filename().string() + "' calibrates a " + foreign->name +
+                     ", the capture is of a " + model->name + ": it was left out");
   } else if (model->channels.size() == 64) {
     report_.find(Severity::look, "sensor_not_calibrated",
                  "every " + model->name + " is wired and calibrated by itself, and no calibration lies beside '" +
-                     name_ + "': points may be decimetres off. Put the db.xml of the unit beside the capture");
+                     name_ +
+                     "': points may be decimetres off. Put the calibration of the unit (db.xml, or YAML of ROS) beside "
+                     "the capture");
   }
-  decoder_ = std::make_unique<sensor::VelodynePackets>(std::move(*model));
+  decode_as(std::move(*model));
+}
+
+void VelodynePcapSource::decode_as(sensor::SensorModel model) {
+  if (sensor::has_laser_heights(model)) {
+    report_.facts["laser_heights"] = options_.laser_heights ? "added" : "left out";
+    if (!options_.laser_heights) model = sensor::without_laser_heights(std::move(model));
+  }
+  decoder_ = std::make_unique<sensor::VelodynePackets>(std::move(model));
 }
 
 // A full revolution, or less where the sensor masks a sector.

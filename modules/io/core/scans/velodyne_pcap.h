@@ -57,6 +57,7 @@ class VelodynePcapSource : public FrameSource {
   double usual_turn_centideg() const;
   void drop_partial_ends();
   void recognise(Bytes payload);
+  void decode_as(sensor::SensorModel model);
   bool next_packet(Datagram& datagram) const;
   void append(const sensor::VelodyneReturn& r, double packet_offset_s, ScanFrame& frame) const;
 

@@ -62,6 +62,7 @@ Trajectory read_sbet(Bytes file, const std::string& name) {
     trajectory.poses.push_back({time, pose});
   }
   if (repeated > 0) trajectory.facts["repeated_times"] = std::to_string(repeated);
+  if (file.size() % sbet_record != 0) trajectory.facts["partial_record"] = "1";
   if (impossible > 0) trajectory.facts["impossible_records"] = std::to_string(impossible);
   trajectory.facts["orientation"] = "unknown";
   set_fact(trajectory.facts, facts::crs, geographic_crs);

@@ -137,7 +137,7 @@ Report simulate(const SimulationOptions& options, const fs::path& out_dir, const
   std::optional<Wind> wind;
   if (options.wind > 0)
     wind.emplace(forest.trees, WindParameters{options.wind, radians(options.wind_from)}, walk.duration_s(), seed);
-  const auto writer = make_scan_writer(sensor, out_dir, simulation_epoch_s, options.dual_return);
+  const auto writer = make_scan_writer(sensor, out_dir, simulation_epoch_s, options.rotation_hz, options.dual_return);
   const RayScene rays(scene.model, wind ? &*wind : nullptr);
   write_truth(options, forest, scene.vegetation, out_dir);
   write_tum(walk.trajectory(options.trajectory_rate, simulation_epoch_s), out_dir / "trajectory.tum");
@@ -145,10 +145,12 @@ Report simulate(const SimulationOptions& options, const fs::path& out_dir, const
   write_recipe(options, recipe, sensor, out_dir / "recipe.json");
 
   const auto start = std::chrono::steady_clock::now();
-  const BeamParameters beam{
-      options.noise,      options.divergence,  options.dropouts,     options.laser_bias, options.pulse_length,
-      options.bark,       options.bark_facets, options.noise_growth, options.wet,        radians(options.angle_error),
-      options.dual_return};
+  const BeamParameters beam{options.noise,        options.divergence,
+                            options.dropouts,     options.laser_bias,
+                            options.pulse_length, options.bark,
+                            options.bark_facets,  options.noise_growth,
+                            options.wet,          radians(options.angle_error),
+                            options.dual_return,  sensor.packet == sensor::PacketFormat::ouster};
   Disturbance disturbance({options.gap_at, options.gap, radians(options.blind_sector), options.rain, options.companion,
                            options.operator_body, options.clock_jitter, options.sensor_height, options.noise},
                           sensor, walk, seed);

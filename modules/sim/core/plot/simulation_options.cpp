@@ -139,7 +139,8 @@ Entries beam_entries() {
                         "doubles it."},
       Option<S, bool>{
           "dual_return", &S::dual_return, Tier::advanced,
-          "Record the strongest and the last return of each pulse. The packets of the sensor must have them."},
+          "Record two returns of each pulse: the strongest and the last, or the two strongest (Ouster). The packets of "
+          "the sensor must have them."},
       Option<S, double>{"wet",
                         &S::wet,
                         Unit::none,

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/error.h"
+#include "sensor/core/spinning_beams.h"
 #include "sim/core/scene/noise.h"
 
 namespace bole::sim {
@@ -59,10 +61,15 @@ Beam::Beam(const sensor::SensorModel& sensor, const BeamParameters& parameters, 
     const double error = parameters.angle_error_rad, elevation_error = error * random.bounded_normal(),
                  azimuth_error = error * random.bounded_normal();
     const double elevation = (sensor.rosette ? 0 : sensor.channels[i].elevation_rad) + elevation_error;
-    lasers_.push_back(
-        {std::cos(elevation), std::sin(elevation),
-         parameters.noise * parameters.laser_bias_m * Random(seed, Stream::laser_bias, i).bounded_normal(),
-         elevation_error, azimuth_error});
+    const auto offsets = sensor.rosette ? sensor::LaserOffsets{} : sensor.channels[i].offsets;
+    if (offsets.two_points)
+      throw bad_input("the calibration of the sensor " + sensor.name + " corrects ranges at two distances",
+                      "a sensor without such a correction: the simulator does not have it");
+    const double bias_m =
+        parameters.noise * parameters.laser_bias_m * Random(seed, Stream::laser_bias, i).bounded_normal();
+    // The sensor reports ranges that its calibration still has to correct.
+    lasers_.push_back({std::cos(elevation), std::sin(elevation), bias_m - offsets.range, elevation_error, azimuth_error,
+                       elevation, offsets, offsets != sensor::LaserOffsets{}});
   }
 }
 
@@ -200,7 +207,9 @@ sensor::LaserEcho Beam::echo_of(Return r, const RayHit hits[rays], const Eigen::
   return {static_cast<float>(range), intensity(r, random)};
 }
 
-Echoes Beam::measure(const Pose& T, const Shot& shot, std::uint64_t pulse, double time_s) const {
+Echoes Beam::measure(const Pose& T_plot_sensor, const Shot& shot, std::uint64_t pulse, double time_s) const {
+  Pose T = T_plot_sensor;  // of the laser
+  T.translation() += T.linear() * shot.origin;
   Random random(seed_, Stream::pulse, pulse);
   const double ce = shot.cos_elevation;
   const Eigen::Vector3d axis = T.linear() * Eigen::Vector3d(ce * std::cos(shot.azimuth_rad),
@@ -221,24 +230,29 @@ Echoes Beam::measure(const Pose& T, const Shot& shot, std::uint64_t pulse, doubl
   if (returns.count < 2) return echoes;
   // The last return, or the second strongest where the last is the strongest.
   const std::size_t last = returns.count - 1;
+  const bool strongest_is_last = returns.strongest == last && !parameters_.by_strength;
   std::size_t other = last;
-  if (returns.strongest == last) {
-    other = 0;
-    for (std::size_t i = 0; i < last; ++i)
-      if (returns.list[i].signal > returns.list[other].signal) other = i;
+  if (parameters_.by_strength || returns.strongest == last) {
+    other = returns.strongest == 0 ? 1 : 0;
+    for (std::size_t i = 0; i < returns.count; ++i)
+      if (i != returns.strongest && returns.list[i].signal > returns.list[other].signal) other = i;
   }
   Random second_random(seed_, Stream::second_return, pulse);
   const auto second = echo_of(returns.list[other], hits, T.translation(), axis, shot.bias_m, second_random);
   if (!(second.range_m > 0)) return echoes;
   if (!(echoes.strongest.range_m > 0)) return {second, second};
-  (returns.strongest == last ? echoes.strongest : echoes.last) = second;
+  (strongest_is_last ? echoes.strongest : echoes.last) = second;
   return echoes;
 }
 
 Echoes Beam::fire(const Pose& T, std::size_t channel, double azimuth_rad, std::uint64_t pulse, double time_s) const {
   const Laser& laser = lasers_[channel];
-  return measure(T, {laser.cos_elevation, laser.sin_elevation, azimuth_rad + laser.azimuth_error_rad, laser.bias_m},
-                 pulse, time_s);
+  const double azimuth = azimuth_rad + laser.azimuth_error_rad;
+  return measure(
+      T,
+      {laser.cos_elevation, laser.sin_elevation, azimuth, laser.bias_m,
+       laser.off_centre ? sensor::laser_origin(laser.offsets, azimuth, laser.elevation_rad) : Eigen::Vector3d::Zero()},
+      pulse, time_s);
 }
 
 sensor::LaserEcho Beam::fire(const Pose& T, std::size_t channel, double azimuth_rad, std::uint64_t pulse) const {

@@ -24,6 +24,7 @@ struct BeamParameters {
   double wet = 0;                // 0 dry to 1 soaked: darker surfaces, more pulses lost on bark and leaves
   double angle_error_rad = 0;    // standard deviation of the constant elevation and azimuth errors of a laser
   bool dual = false;             // two returns of each pulse
+  bool by_strength = false;      // with `dual`: the two strongest, in place of the strongest and the last
 };
 
 // Where a laser points: azimuth clockwise from the sensor's forward axis.
@@ -33,12 +34,14 @@ struct Aim {
 
 // What a sensor tells of one pulse. Without dual return `last` is no echo. With it, `strongest` is the strongest
 // return, or the second strongest where the strongest is the last one too; both are the same where there is one return.
+// With `by_strength` they are the strongest and the second strongest.
 struct Echoes {
   sensor::LaserEcho strongest, last;
 };
 
 class Beam {
  public:
+  // Throws Error{bad_input} for a calibration that corrects ranges at two distances: it is not simulated.
   Beam(const sensor::SensorModel& sensor, const BeamParameters& parameters, const RayScene& scene, std::uint64_t seed);
 
   // `T_plot_sensor` at the moment of firing, the laser's azimuth then (offset included). Same arguments, same echo.
@@ -61,6 +64,7 @@ class Beam {
   // The direction of a pulse as its laser really points, and its constant error.
   struct Shot {
     double cos_elevation = 1, sin_elevation = 0, azimuth_rad = 0, bias_m = 0;
+    Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // of the laser, in the sensor's axes
   };
   Echoes measure(const Pose& T_plot_sensor, const Shot& shot, std::uint64_t pulse, double time_s) const;
   RayBundle rays_of(const Pose& T_plot_sensor, const Shot& shot, const Eigen::Vector3d& axis, double spin) const;
@@ -78,7 +82,9 @@ class Beam {
   std::uint64_t seed_;
   struct Laser {
     double cos_elevation = 1, sin_elevation = 0, bias_m = 0;
-    double elevation_error_rad = 0, azimuth_error_rad = 0;
+    double elevation_error_rad = 0, azimuth_error_rad = 0, elevation_rad = 0;
+    sensor::LaserOffsets offsets;
+    bool off_centre = false;
   };
   std::vector<Laser> lasers_;
 };

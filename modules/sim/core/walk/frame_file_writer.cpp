@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "sensor/core/spinning_beams.h"
 
 namespace bole::sim {
 namespace {
@@ -61,10 +62,12 @@ void FrameFileWriter::add(const FiringSequence& s) {
     const double quantum = sensor_.range_quantum_m,
                  range = quantum > 0 ? std::round(echo.range_m / quantum) * quantum : echo.range_m;
     const auto [a, elevation] = s.aim(sensor_, c);
-    const double flat = range * std::cos(elevation);
-    points_.push_back(static_cast<float>(flat * std::cos(a)));
-    points_.push_back(static_cast<float>(-flat * std::sin(a)));
-    points_.push_back(static_cast<float>(range * std::sin(elevation)));
+    const auto offsets = sensor_.rosette ? sensor::LaserOffsets{} : sensor_.channels[c].offsets;
+    const double flat = (range + offsets.range) * std::cos(elevation);
+    const Eigen::Vector3d point =
+        sensor::laser_origin(offsets, a, elevation) +
+        Eigen::Vector3d(flat * std::cos(a), -flat * std::sin(a), (range + offsets.range) * std::sin(elevation));
+    for (const double v : point) points_.push_back(static_cast<float>(v));
     points_.push_back(static_cast<float>(echo.intensity) / 255.0f);
     point_times_s_.push_back(static_cast<float>(s.time_s - frame_starts_s_.back() + s.delay_s(sensor_, c)));
     rings_.push_back(static_cast<std::uint16_t>(sensor_.rosette ? 0 : sensor_.channels[c].ring));

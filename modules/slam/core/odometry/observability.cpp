@@ -53,6 +53,23 @@ std::optional<Witness> witness(const FeaturePoint& p, bool line, const Distribut
   return Witness{*surface, x, lever, line};
 }
 
+// A plane tells of shifts along its normal, a line of those across it.
+void judge_spread(const std::vector<Witness>& witnesses, Observability& out) {
+  constexpr std::size_t enough = 30;
+  Eigen::Matrix2d faced = Eigen::Matrix2d::Zero();
+  for (const auto& w : witnesses) {
+    const Eigen::Vector3d axis = w.surface.axes.col(w.line ? 2 : 0);
+    const Eigen::Matrix3d along = axis * axis.transpose();
+    const Eigen::Matrix3d told = w.line ? Eigen::Matrix3d(Eigen::Matrix3d::Identity() - along) : along;
+    faced += told.topLeftCorner<2, 2>();
+  }
+  if (witnesses.size() < enough) return;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(faced);
+  if (!(solver.eigenvalues()[1] > 0)) return;
+  out.spread = std::max(0.0, solver.eigenvalues()[0]) / solver.eigenvalues()[1];
+  out.least_faced = solver.eigenvectors().col(0);
+}
+
 std::string vector_text(const Eigen::Vector3d& v) {
   std::string text;
   for (const double part : v) {
@@ -151,6 +168,7 @@ Observability observability(const FeatureSet& features, const FeatureMaps& maps,
   }
   const auto middle = found.begin() + static_cast<std::ptrdiff_t>(groups / 2);
   std::ranges::nth_element(found, middle, {}, &Observability::weakest);
+  judge_spread(witnesses, *middle);
   return *middle;
 }
 

@@ -16,6 +16,11 @@ struct Observability {
   double weakest = 0;
   Vector6d motion = Vector6d::Zero();  // the weakest: turn about the sensor (rad) and shift (m), map axes, of length 1
 
+  // How evenly the surfaces face all horizontal directions: what they say of a shift along the direction that fewest of
+  // them face, over that along the one that most face, each surface counting once. 1: evenly; in a corridor about 0.
+  double spread = 1;
+  Eigen::Vector2d least_faced = Eigen::Vector2d::Zero();  // that direction, map axes
+
   // All six, weakest first: information over that of the noise, motions in columns and the information of the noise.
   // Empty where there are too few points.
   std::optional<Vector6d> strengths;

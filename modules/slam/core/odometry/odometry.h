@@ -24,8 +24,10 @@ struct TrackedFrame {
   std::size_t keyframe = 0;  // the last keyframe up to and with this frame
   bool ok = true;
   double overlap = 1, rms = 0;
-  double conditioning = 1;                     // see Registration
-  double observability = 1;                    // see Observability; unknown where `iterations` is 0
+  double conditioning = 1;   // see Registration
+  double observability = 1;  // see Observability; unknown where `iterations` is 0
+  double spread = 1;         // see Observability
+  Eigen::Vector2d least_faced = Eigen::Vector2d::Zero();
   double sigma0 = 0;                           // of the last adjustment, see Registration
   Matrix6d covariance = Matrix6d::Zero();      // of the pose; zero for the first frame, which is exact
   Matrix6d end_covariance = Matrix6d::Zero();  // see Registration

@@ -7,6 +7,7 @@
 
 #include "base/angles.h"
 #include "base/statistics.h"
+#include "cloud/index_times.h"
 #include "slam/core/loops/context_index.h"
 #include "slam/core/loops/corrections.h"
 #include "slam/core/loops/loop_tables.h"
@@ -459,6 +460,42 @@ void report_weak_frames(const FirstPass& pass, double min_observability, Report&
                   "map with one of slam.preset=best before you use it");
 }
 
+// Smooth surfaces that few scan lines see look rough to the registration, which then finds a motion along them where
+// there is nothing to find it by. Whether the surfaces face a direction at all does not depend on their roughness.
+void report_one_way_surfaces(const FirstPass& pass, Report& report) {
+  // A smooth synthetic corridor has 0.09, synthetic trunks 3.5 to 6 m apart 0.57 and more; the limit between them is a
+  // guess.
+  constexpr double few = 0.2, long_enough_s = 2;
+  constexpr std::size_t window = 10;  // frames whose median counts: one frame may see a person walk by
+  std::vector<double> middle;
+  for (std::size_t i = 0; i < pass.frames.size(); ++i) {
+    std::vector<double> near;
+    for (std::size_t k = i - std::min(i, window / 2); k < std::min(i + window / 2 + 1, pass.frames.size()); ++k)
+      if (pass.frames[k].ok && pass.frames[k].iterations > 0) near.push_back(pass.frames[k].spread);
+    middle.push_back(near.empty() ? 1 : upper_median(std::move(near)));
+  }
+  if (middle.empty()) return;
+  report.metrics["surface_spread"] = {*std::ranges::min_element(middle), Unit::none};
+  double seconds = 0, longest_s = 0, stretch_s = 0;
+  const TrackedFrame* first = nullptr;
+  for (std::size_t i = 0; i < middle.size(); ++i) {
+    const auto& f = pass.frames[i];
+    const double frame_s = f.end_s - f.begin_s;
+    stretch_s = middle[i] < few ? stretch_s + frame_s : 0;
+    seconds += middle[i] < few ? frame_s : 0;
+    if (middle[i] < few && first == nullptr) first = &f;
+    longest_s = std::max(longest_s, stretch_s);
+  }
+  if (longest_s < long_enough_s) return;
+  const auto text = [](double v) { return number_text(std::round(10 * v) / 10); };
+  report.find(Severity::look, "surfaces_face_one_way",
+              "for " + text(seconds) + " s (from frame " + std::to_string(first->index) +
+                  ") nearly all surfaces face one way, as in a corridor or between walls: the position along (" +
+                  text(first->least_faced.x()) + ", " + text(first->least_faced.y()) +
+                  ") of the map may be wrong by metres, however good the frames look. Walk where there are stems or "
+                  "corners, or give control points");
+}
+
 void no_loops(Track& track) {
   track.loop_table = loops_table({}, {});
   track.candidate_table = candidates_table({}, {}, {}, {});
@@ -517,6 +554,7 @@ Track estimate_track(const FrameSource& source, const SlamSettings& options, Rep
   add_odometry_poses(by_odometry, track.frame_table);
   for (const auto& k : pass.keyframes) track.keyframe_times_s.push_back(k.time_s);
   report_frames(pass, options.min_observability, report);
+  report_one_way_surfaces(pass, report);
   if (is_plain(options.weights)) report_weak_frames(pass, options.min_observability, report);
   return track;
 }
@@ -527,8 +565,13 @@ Track given_track(const FrameSource& source, const std::vector<StampedPose>& pos
   track.frame_table = table_of(std::vector<TrackedFrame>{});
   add_odometry_poses({}, track.frame_table);
   no_loops(track);
-  constexpr double margin_s = 0.05;
+  constexpr double margin_s = 0.05, well_within_s = 2;
   for (std::size_t i = 0; i < source.size(); ++i) {
+    if (const double about_s = index_time_s(source, i);
+        track.path.covers(about_s - well_within_s, 0) && track.path.covers(about_s + well_within_s, 0)) {
+      track.frames.push_back({i, {}});
+      continue;
+    }
     const double begin_s = source.frame_time_s(i),
                  end_s = i + 1 < source.size() ? std::min(source.frame_time_s(i + 1), begin_s + 0.25) : begin_s;
     if (track.path.covers(begin_s, margin_s) && track.path.covers(end_s, margin_s)) track.frames.push_back({i, {}});
