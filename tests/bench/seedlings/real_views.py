@@ -91,12 +91,13 @@ def surveyed(o, name, folder, camera, stages, report):
 def romi_virtual(o, folder):
     text, out, seconds = surveyed(o, "romi_virtual", folder, None,
                                   [{"id": "poses", "type": "rgbd.estimate_poses", "inputs": {"views": "frames.views", "given": "frames.poses"}, "options": {"source": "given"}},
-                                   {"id": "match", "type": "plant.match_views", "inputs": {"views": "frames.views", "poses": "poses.poses"}, "options": {"max_width": 896}}],
+                                   {"id": "match", "type": "plant.match_views", "inputs": {"views": "frames.views", "poses": "poses.poses"}, "options": {"max_width": 448}}],
                                   {"points": "match.points", "poses": "poses.poses"})
-    cloud = out / "scene.ply"
+    cloud = out / "cloud.ply"
     if not cloud.exists():
         return last_words(text)
     points, mesh = points_of_ply(cloud), vertices_of_obj(next(folder.glob("VirtualPlant*/*.obj"))) / 1000
+    mesh = np.stack([mesh[:, 0], -mesh[:, 2], mesh[:, 1]], axis=1)  # y is up in the file
     rng = np.random.default_rng(1)
     error = 1000 * nearest(points[rng.permutation(len(points))[:4000]], mesh)
     cover = 1000 * nearest(mesh[rng.permutation(len(mesh))[:4000]], points)
