@@ -18,7 +18,7 @@
 #include <array>
 #include <vector>
 
-#include "cloud/index_times.h"
+#include "cloud/core/index_times.h"
 #include "vtkbridge/field_facts.h"
 #include "vtkbridge/lazy_data.h"
 

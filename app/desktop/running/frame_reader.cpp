@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cloud/index_times.h"
+#include "cloud/core/index_times.h"
 #include "slam/core/odometry/motion.h"
 
 namespace bole::desktop {

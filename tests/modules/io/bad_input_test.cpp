@@ -25,17 +25,17 @@ using namespace testing_io;
 namespace fs = std::filesystem;
 
 // A small whole recording of one format.
-struct Sample {
+struct FormatSample {
   std::string file;                           // that is damaged; in a folder that is read: its path within
   std::function<void(const fs::path&)> make;  // writes it, and what belongs beside it, into a folder
   std::function<void(std::string&)> lie;      // makes the bytes of `file` claim what is not so
   bool tells_its_length = true;               // a text that ends at a line is whole, however short
 };
 
-using Samples = std::map<std::pair<FileContent, std::string>, Sample>;
+using FormatSamples = std::map<std::pair<FileContent, std::string>, FormatSample>;
 
-Sample of_bytes(const std::string& file, const std::string& content, std::function<void(std::string&)> lie,
-                bool tells_its_length = true) {
+FormatSample of_bytes(const std::string& file, const std::string& content, std::function<void(std::string&)> lie,
+                      bool tells_its_length = true) {
   return {file, [=](const fs::path& dir) { write_file(dir / file, content); }, std::move(lie), tells_its_length};
 }
 
@@ -65,7 +65,7 @@ PointCloud small_cloud() {
 }
 
 // A cloud as Bole writes it.
-Sample written(const std::string& file, std::function<void(std::string&)> lie, bool tells_its_length = true) {
+FormatSample written(const std::string& file, std::function<void(std::string&)> lie, bool tells_its_length = true) {
   return {file,
           [=](const fs::path& dir) {
             const auto& format = written_format(FileContent::cloud, file);
@@ -117,7 +117,7 @@ std::string hesai_capture() {
   return out.bytes();
 }
 
-Sample ouster_sample() {
+FormatSample ouster_sample() {
   testing_ouster::Sensor sensor;
   for (int line = 0; line < 32; ++line) {
     sensor.elevations_deg.push_back(15 - line);
@@ -188,7 +188,7 @@ std::string nmea_sentence(std::size_t i) {
   return "$" + body + end;
 }
 
-Sample ros1_bag() {
+FormatSample ros1_bag() {
   const auto bytes = testing_bags::Ros1Writer().write(
       testing_bags::clouds(testing_bags::Wire::ros1, testing_bags::seconds_from_start));
   return of_bytes("walk.bag", bytes, [](std::string& bag) {
@@ -198,7 +198,7 @@ Sample ros1_bag() {
   });
 }
 
-Sample mcap_file(const std::string& file) {
+FormatSample mcap_file(const std::string& file) {
   const auto bytes = testing_bags::McapWriter().write(
       testing_bags::clouds(testing_bags::Wire::cdr_little, testing_bags::seconds_from_start));
   return of_bytes(file, bytes, [](std::string& mcap) {
@@ -206,9 +206,9 @@ Sample mcap_file(const std::string& file) {
   });
 }
 
-Samples samples() {
+FormatSamples samples() {
   using enum FileContent;
-  Samples out;
+  FormatSamples out;
   out[{cloud, "copc"}] = written("a.copc.laz", count_too_many);
   out[{cloud, "laz"}] = written("a.laz", count_too_many);
   out[{cloud, "las"}] = written("a.las", count_too_many);
@@ -399,7 +399,7 @@ class BadInput : public testing::TestWithParam<std::size_t> {
   }
 
   TempDir dir_;
-  Sample sample_;
+  FormatSample sample_;
   std::string whole_;
 };
 

@@ -231,7 +231,9 @@ TEST(Slam, ACorridorThatIsNotRefusedIsTold) {
   std::printf("corridor: spread %.4f, observability %.1f, end %.2f m of %.2f m\n",
               walk.report.metrics.at("surface_spread").value, walk.report.metrics.at("weakest_observability").value,
               walk.trajectory.poses.back().T_target_sensor.translation().norm(), 4.95);
-  EXPECT_TRUE(told(walk.report));
+  ASSERT_TRUE(told(walk.report));
+  const auto& finding = *std::ranges::find(walk.report.findings, "surfaces_face_one_way", &Finding::code);
+  EXPECT_THAT(finding.text, testing::ContainsRegex("along \\(-?1, -?0\\)"));
   for (const double spacing : {3.5, 6.0}) {
     const auto plot = run_slam(SyntheticScan(synthetic::trunks(9, spacing), sensor, glide, 50), options, {});
     std::printf("trunks %.1f m apart: spread %.3f\n", spacing, plot.report.metrics.at("surface_spread").value);

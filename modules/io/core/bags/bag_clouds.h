@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "cloud/index_times.h"
+#include "cloud/core/index_times.h"
 #include "io/core/bags/bag.h"
 #include "io/core/bags/ring_order.h"
 #include "io/core/bags/time_dialect.h"

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/option.h"
 #include "base/verdict.h"
-#include "cloud/index_times.h"
+#include "cloud/core/index_times.h"
 #include "io/core/bags/bag_clouds.h"
 #include "io/core/bags/bag_inertial.h"
 #include "io/core/bags/bag_ouster.h"

@@ -12,7 +12,7 @@
 #include "base/error.h"
 #include "base/no_number.h"
 #include "base/statistics.h"
-#include "cloud/index_times.h"
+#include "cloud/core/index_times.h"
 #include "io/core/bytes/line_reader.h"
 #include "io/core/tables/table_file.h"
 

@@ -67,7 +67,7 @@ void judge_spread(const std::vector<Witness>& witnesses, Observability& out) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(faced);
   if (!(solver.eigenvalues()[1] > 0)) return;
   out.spread = std::max(0.0, solver.eigenvalues()[0]) / solver.eigenvalues()[1];
-  out.least_faced = solver.eigenvectors().col(0);
+  out.unfaced_axis = solver.eigenvectors().col(0);
 }
 
 std::string vector_text(const Eigen::Vector3d& v) {

@@ -19,7 +19,7 @@ struct Observability {
   // How evenly the surfaces face all horizontal directions: what they say of a shift along the direction that fewest of
   // them face, over that along the one that most face, each surface counting once. 1: evenly; in a corridor about 0.
   double spread = 1;
-  Eigen::Vector2d least_faced = Eigen::Vector2d::Zero();  // that direction, map axes
+  Eigen::Vector2d unfaced_axis = Eigen::Vector2d::Zero();  // that direction, map axes
 
   // All six, weakest first: information over that of the noise, motions in columns and the information of the noise.
   // Empty where there are too few points.

@@ -475,7 +475,7 @@ bool Odometry::locate(TrackedFrame& frame, const Features& features, const Run& 
   frame.bent = bent_;
   frame.observability = seen.weakest;
   frame.spread = seen.spread;
-  frame.least_faced = seen.least_faced;
+  frame.unfaced_axis = seen.unfaced_axis;
   const auto why = objection(r, open, prediction, frame.begin_s, frame.end_s);
   times_.judge_s += watch.lap();
   frame.ok = why.empty();

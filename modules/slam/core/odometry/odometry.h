@@ -27,7 +27,7 @@ struct TrackedFrame {
   double conditioning = 1;   // see Registration
   double observability = 1;  // see Observability; unknown where `iterations` is 0
   double spread = 1;         // see Observability
-  Eigen::Vector2d least_faced = Eigen::Vector2d::Zero();
+  Eigen::Vector2d unfaced_axis = Eigen::Vector2d::Zero();
   double sigma0 = 0;                           // of the last adjustment, see Registration
   Matrix6d covariance = Matrix6d::Zero();      // of the pose; zero for the first frame, which is exact
   Matrix6d end_covariance = Matrix6d::Zero();  // see Registration

@@ -7,7 +7,7 @@
 
 #include "base/angles.h"
 #include "base/statistics.h"
-#include "cloud/index_times.h"
+#include "cloud/core/index_times.h"
 #include "slam/core/loops/context_index.h"
 #include "slam/core/loops/corrections.h"
 #include "slam/core/loops/loop_tables.h"
@@ -463,9 +463,9 @@ void report_weak_frames(const FirstPass& pass, double min_observability, Report&
 // Smooth surfaces that few scan lines see look rough to the registration, which then finds a motion along them where
 // there is nothing to find it by. Whether the surfaces face a direction at all does not depend on their roughness.
 void report_one_way_surfaces(const FirstPass& pass, Report& report) {
-  // A smooth synthetic corridor has 0.09, synthetic trunks 3.5 to 6 m apart 0.57 and more; the limit between them is a
+  // A smooth synthetic corridor has 0.09, an alley of a simulated vineyard 0.13, stems 0.57 and more: the limit is a
   // guess.
-  constexpr double few = 0.2, long_enough_s = 2;
+  constexpr double few = 0.11, long_enough_s = 2;
   constexpr std::size_t window = 10;  // frames whose median counts: one frame may see a person walk by
   std::vector<double> middle;
   for (std::size_t i = 0; i < pass.frames.size(); ++i) {
@@ -477,21 +477,22 @@ void report_one_way_surfaces(const FirstPass& pass, Report& report) {
   if (middle.empty()) return;
   report.metrics["surface_spread"] = {*std::ranges::min_element(middle), Unit::none};
   double seconds = 0, longest_s = 0, stretch_s = 0;
-  const TrackedFrame* first = nullptr;
+  const TrackedFrame *first = nullptr, *least = nullptr;
   for (std::size_t i = 0; i < middle.size(); ++i) {
     const auto& f = pass.frames[i];
     const double frame_s = f.end_s - f.begin_s;
     stretch_s = middle[i] < few ? stretch_s + frame_s : 0;
     seconds += middle[i] < few ? frame_s : 0;
     if (middle[i] < few && first == nullptr) first = &f;
+    if (middle[i] < few && f.iterations > 0 && (least == nullptr || f.spread < least->spread)) least = &f;
     longest_s = std::max(longest_s, stretch_s);
   }
-  if (longest_s < long_enough_s) return;
+  if (longest_s < long_enough_s || least == nullptr) return;
   const auto text = [](double v) { return number_text(std::round(10 * v) / 10); };
   report.find(Severity::look, "surfaces_face_one_way",
               "for " + text(seconds) + " s (from frame " + std::to_string(first->index) +
                   ") nearly all surfaces face one way, as in a corridor or between walls: the position along (" +
-                  text(first->least_faced.x()) + ", " + text(first->least_faced.y()) +
+                  text(least->unfaced_axis.x()) + ", " + text(least->unfaced_axis.y()) +
                   ") of the map may be wrong by metres, however good the frames look. Walk where there are stems or "
                   "corners, or give control points");
 }
