@@ -1,5 +1,7 @@
 #include "cloud/first_sight.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -100,10 +102,9 @@ FirstSight first_sight(const PointCloud& cloud, const Run& run) {
   run.check_cancel();
 
   auto thin = thinned(cloud, run);
-  for (int axis = 0; axis < 3; ++axis) {
-    out.along[static_cast<std::size_t>(axis)] = evidence_for(thin, sample, axis, run);
-    run.report(0.2 * (axis + 1), "Looking at the cloud");
-  }
+  tbb::parallel_for(
+      0, 3, [&](int axis) { out.along[static_cast<std::size_t>(axis)] = evidence_for(thin, sample, axis, run); });
+  run.report(0.6, "Looking at the cloud");
   out.up = upright_axis(out.along);
   if (out.up && *out.up != 2) {
     for (auto& p : sample.points) p = z_up(p, *out.up);

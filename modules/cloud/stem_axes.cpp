@@ -1,5 +1,7 @@
 #include "cloud/stem_axes.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -189,8 +191,8 @@ std::vector<Eigen::Vector3d> thinned(const PointCloud& cloud, const Run& run) {
     if (cloud.positions()[i].allFinite())
       entries.push_back({voxel_key(cloud.positions()[i].cast<double>(), thin_cell_m), static_cast<std::uint32_t>(i)});
   }
-  std::sort(entries.begin(), entries.end(),
-            [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.point < b.point; });
+  tbb::parallel_sort(entries.begin(), entries.end(),
+                     [](const Entry& a, const Entry& b) { return a.key != b.key ? a.key < b.key : a.point < b.point; });
   run.check_cancel();
   std::vector<Eigen::Vector3d> out;
   for (std::size_t first = 0, last = 0; first < entries.size(); first = last) {

@@ -9,6 +9,7 @@
 #include "slam/core/map/passes.h"
 #include "slam/core/map/tum_poses.h"
 #include "slam/core/odometry/track.h"
+#include "slam/core/read_ahead.h"
 #include "slam/core/stopwatch.h"
 
 namespace bole::slam {
@@ -49,6 +50,11 @@ std::size_t expected_points(const FrameSource& source, const Track& track) {
   return (max_size + max_size / 4 + 1000) * track.frames.size();
 }
 
+struct MappedFrame {
+  ScanFrame frame;
+  bool readable = false;
+};
+
 PointCloud map_frames(const FrameSource& source, const Track& track, const SlamSettings& options, Report& report,
                       const Run& run) {
   if (!options.dense_map) return DenseMapBuilder({.expected_points = 1}).take();
@@ -61,14 +67,17 @@ PointCloud map_frames(const FrameSource& source, const Track& track, const SlamS
   settings.max_points = static_cast<std::size_t>(options.map_max_points_million * 1e6);
   settings.expected_points = expected_points(source, track);
   DenseMapBuilder builder(settings);
-  ScanFrame frame;
   Stopwatch watch;
+  ReadAhead<MappedFrame> frames(track.frames.size(), [&](std::size_t k, MappedFrame& out) {
+    out.readable = readable(source, track.frames[k].index, out.frame);
+  });
   std::size_t unread = 0;
   for (std::size_t k = 0; k < track.frames.size(); ++k) {
     run.check_cancel();
     run.report(static_cast<double>(k) / static_cast<double>(track.frames.size()),
                "mapping frame " + std::to_string(k + 1) + " of " + std::to_string(track.frames.size()));
-    if (!readable(source, track.frames[k].index, frame)) {
+    const auto& [frame, could_be_read] = frames.take();
+    if (!could_be_read) {
       ++unread;
       continue;
     }

@@ -66,7 +66,7 @@ TEST(DistributionMap, TheOrderOfPointsDoesNotMatterBelowTheCap) {
 TEST(DistributionMap, ACellSettlesAtItsCap) {
   DistributionMap map(0.1);
   for (int i = 0; i < 3 * DistributionMap::max_per_cell; ++i) map.insert(Eigen::Vector3d(0.05, 0.05, 0.05));
-  EXPECT_EQ(map.surface({0.05, 0.05, 0.05}, 0)->points, DistributionMap::max_per_cell);
+  EXPECT_EQ(map.surface(Eigen::Vector3d(0.05, 0.05, 0.05), 0)->points, DistributionMap::max_per_cell);
 }
 
 // What a trunk looks like to the points that make it: with a window about each point the mean of the surface lies
@@ -74,14 +74,15 @@ TEST(DistributionMap, ACellSettlesAtItsCap) {
 TEST(DistributionMap, FixedCellsDoNotLieInsideTheBark) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> angle(0, 2 * std::numbers::pi), height(0, 2);
-  DistributionMap map(0.1);
   std::vector<Eigen::Vector3d> points, outward;
   for (int i = 0; i < 20000; ++i) {
     const double a = angle(random);
     outward.emplace_back(std::cos(a), std::sin(a), 0);
     points.push_back(0.12 * outward.back() + Eigen::Vector3d(0.03, 0.06, height(random)));
-    map.insert(points.back());
   }
+  DistributionMap map(0.1);
+  DistributionMap::CellNumbers cells;
+  map.insert(points, {}, &cells);
   const auto before_surface_m = [&](std::size_t i, const LocalSurface& s) {
     const double side = s.axes.col(0).dot(outward[i]) < 0 ? -1 : 1;
     return side * s.axes.col(0).dot(points[i] - s.mean);
@@ -89,7 +90,10 @@ TEST(DistributionMap, FixedCellsDoNotLieInsideTheBark) {
   double about_m = 0, in_cell_m = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     about_m += before_surface_m(i, *map.surface(points[i], 0));
-    if (const auto s = map.cell_surface(points[i], 0)) in_cell_m += before_surface_m(i, *s);
+    auto s = map.cell_surface(0, cells[0][i]);
+    if (!s) continue;
+    s->mean += map.centre_at(map.half_cell(points[i]), 0);
+    in_cell_m += before_surface_m(i, *s);
   }
   const auto n = static_cast<double>(points.size());
   EXPECT_GT(about_m / n, 0.005);
@@ -101,7 +105,7 @@ TEST(DistributionMap, KnowsNothingWhereNothingIs) {
   EXPECT_TRUE(map.empty());
   EXPECT_FALSE(map.surface(far_away, 0));
   for (const auto& p : points_on_plane(Eigen::Vector3d::UnitZ(), 0, 1)) map.insert(p);
-  EXPECT_FALSE(map.surface(far_away + Eigen::Vector3d(50, 0, 0), DistributionMap::levels - 1));
+  EXPECT_FALSE(map.surface(Eigen::Vector3d(far_away + Eigen::Vector3d(50, 0, 0)), DistributionMap::levels - 1));
   map.clear();
   EXPECT_TRUE(map.empty());
 }

@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include <Eigen/Eigenvalues>
+#include <random>
 
 #include "slam/core/odometry/keyframes.h"
 #include "synthetic/scan_world.h"
@@ -84,6 +85,42 @@ TEST(Registration, TheKernelTakesWeightFromFarPoints) {
   EXPECT_TRUE(near.inlier);
   EXPECT_FALSE(far.inlier);
   EXPECT_LT(far.H.norm(), 0.02 * near.H.norm());
+}
+
+// Whatever was looked for before, and wherever: what is remembered is what a search would find.
+TEST(Registration, WhatAPointMetIsWhatASearchFinds) {
+  const auto source = walk(4);
+  FeatureMaps maps(best_settings().cell_size);
+  fill(maps, source, 0, 2);
+  const auto features = features_of(source, 3).query;
+  const PoseGrid poses(truth_of(source, 3));
+  std::mt19937 random(4);
+  std::normal_distribution<double> step(0, 0.02);
+  std::uniform_int_distribution<int> first_level(0, 3), min_lines(0, 4);
+  std::size_t found = 0, remembered = 0;
+  for (const auto& p : features.planes) {
+    MetSurface met;
+    Eigen::Vector3d x = poses.in_map(p.position, p.s);
+    HalfCell before = HalfCell::Zero();
+    for (int look = 0; look < 12; ++look) {
+      x += Eigen::Vector3d(step(random), step(random), step(random));
+      const HalfCell place = maps.planes.half_cell(x);
+      const int level = first_level(random), lines = min_lines(random);
+      const auto searched = find_surface(maps.planes, place, false, level, lines);
+      const auto& remembers = met.find(maps.planes, place, false, level, lines);
+      ASSERT_EQ(searched.has_value(), remembers.has_value());
+      remembered += place == before;
+      before = place;
+      if (!searched) continue;
+      ++found;
+      EXPECT_EQ(searched->level, remembers->level);
+      EXPECT_EQ(searched->points, remembers->points);
+      EXPECT_EQ(searched->mean, remembers->mean);
+      EXPECT_EQ(searched->axes, remembers->axes);
+    }
+  }
+  EXPECT_GT(found, 1000u);
+  EXPECT_GT(remembered, 1000u);
 }
 
 TEST(Registration, ARigidShiftOfSixteenCentimetresIsFoundToOne) {

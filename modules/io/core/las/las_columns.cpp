@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "cloud/large_cloud.h"
 
@@ -98,8 +99,11 @@ void ColumnBuilder::expect(std::size_t count, std::size_t max_bytes, const std::
 
 void ColumnBuilder::resize(std::size_t count) {
   if (count > expected_) pages_.clear();  // the columns move to other memory
-  positions_.resize(count);
-  for_each_column([count](auto& values) { values.resize(count); });
+  // The first touch of a page costs more than what is written to it, above all on file: columns take theirs in
+  // parallel.
+  std::vector<std::function<void()>> each{[this, count] { positions_.resize(count); }};
+  for_each_column([&](auto& values) { each.emplace_back([&values, count] { values.resize(count); }); });
+  tbb::parallel_for(std::size_t{0}, each.size(), [&](std::size_t k) { each[k](); });
 }
 
 void ColumnBuilder::leave(std::size_t first, std::size_t count) {
@@ -274,7 +278,11 @@ void ColumnBuilder::finish_sensor_axis(PointCloud& cloud, std::size_t dimension,
   for (std::size_t begin = 0; begin < local.size(); begin += block) {
     run.check_cancel();
     const std::size_t count = std::min(block, local.size() - begin);
-    for (std::size_t i = begin; i < begin + count; ++i) local[i] = static_cast<float>(global[i] - cloud.origin[axis]);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, begin + count, 1 << 16),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                        for (std::size_t i = range.begin(); i < range.end(); ++i)
+                          local[i] = static_cast<float>(global[i] - cloud.origin[axis]);
+                      });
     las::leave(global, begin, count);
     las::leave(local, begin, count);
   }

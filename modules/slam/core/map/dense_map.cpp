@@ -44,11 +44,15 @@ DenseMapBuilder::DenseMapBuilder(const DenseMapSettings& settings)
   keyframe_.reserve(room);
 }
 
-bool DenseMapBuilder::admit(const Eigen::Vector3f& position, const Eigen::Vector3f& sensor, std::int32_t pass) {
-  const std::uint64_t h = mix_bits(columns_.key(position.cast<double>(), sensor.cast<double>()) ^
-                                   (static_cast<std::uint64_t>(pass + 1) * 0x9e3779b97f4a7c15ull));
+std::uint64_t DenseMapBuilder::column_of(const Eigen::Vector3f& position, const Eigen::Vector3f& sensor,
+                                         std::int32_t pass) const {
+  return mix_bits(columns_.key(position.cast<double>(), sensor.cast<double>()) ^
+                  (static_cast<std::uint64_t>(pass + 1) * 0x9e3779b97f4a7c15ull));
+}
+
+bool DenseMapBuilder::admit(std::uint64_t column) {
   const std::size_t mask = counters_.size() - 1;
-  std::uint8_t &a = counters_[h & mask], &b = counters_[(h >> 32) & mask];
+  std::uint8_t &a = counters_[column & mask], &b = counters_[(column >> 32) & mask];
   if (std::min(a, b) >= settings_.points_per_voxel) return false;
   if (a < 255) ++a;
   if (&b != &a && b < 255) ++b;
@@ -82,6 +86,7 @@ void DenseMapBuilder::add(const ScanFrame& frame, const PoseGrid& poses, std::in
   const auto inverse_span = static_cast<float>(1.0 / std::max(frame.end_time_s - frame.start_time_s, 1e-6));
   in_map_.resize(n);
   sensor_.resize(n);
+  column_.resize(n);
   usable_.resize(n);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, chunk), [&](const tbb::blocked_range<std::size_t>& range) {
     for (std::size_t i = range.begin(); i < range.end(); ++i) {
@@ -92,12 +97,19 @@ void DenseMapBuilder::add(const ScanFrame& frame, const PoseGrid& poses, std::in
       const Eigen::Vector3d sensor = poses.translation(s);
       sensor_[i] = sensor.cast<float>();
       in_map_[i] = (poses.turned(frame.positions[i], s) + sensor).cast<float>();
+      column_[i] = column_of(in_map_[i], sensor_[i], pass);
     }
   });
+  const std::size_t mask = counters_.size() - 1;
   for (std::size_t i = 0; i < n; ++i) {
+    // The counters lie all over a large table: they are called for before it is their turn.
+    if (const std::size_t next = i + 16; next < n && usable_[next]) {
+      __builtin_prefetch(&counters_[column_[next] & mask], 1);
+      __builtin_prefetch(&counters_[(column_[next] >> 32) & mask], 1);
+    }
     if (!usable_[i]) continue;
     ++offered_;
-    if (!admit(in_map_[i], sensor_[i], pass) || !survives(serial_++)) continue;
+    if (!admit(column_[i]) || !survives(serial_++)) continue;
     if (positions_.size() >= settings_.max_points) halve();
     positions_.push_back(in_map_[i]);
     time_.push_back(frame.start_time_s + frame.time_offset_s[i]);

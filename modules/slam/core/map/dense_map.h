@@ -38,7 +38,8 @@ class DenseMapBuilder {
   PointCloud take();
 
  private:
-  bool admit(const Eigen::Vector3f& position, const Eigen::Vector3f& sensor, std::int32_t pass);
+  std::uint64_t column_of(const Eigen::Vector3f& position, const Eigen::Vector3f& sensor, std::int32_t pass) const;
+  bool admit(std::uint64_t column);
   bool survives(std::uint64_t serial) const;
   void halve();
 
@@ -51,6 +52,7 @@ class DenseMapBuilder {
   std::vector<std::uint16_t> ring_;
   std::vector<std::int32_t> pass_, keyframe_;
   std::vector<Eigen::Vector3f> in_map_, sensor_;  // of the current frame
+  std::vector<std::uint64_t> column_;
   std::vector<std::uint8_t> usable_;
   std::uint64_t serial_ = 0;
   std::size_t offered_ = 0;

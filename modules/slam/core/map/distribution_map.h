@@ -30,22 +30,40 @@ struct LocalSurface {
   double linearity() const { return (deviations[2] - deviations[1]) / deviations[2]; }
 };
 
+// A place to half a cell of the finest level. Places in the same half cell lie in the same cells of all levels and are
+// nearest to the same corners, so the map has the same surfaces for them.
+using HalfCell = Eigen::Matrix<std::int32_t, 3, 1>;
+
 class DistributionMap {
  public:
   static constexpr int levels = 5;
+  using CellNumbers = std::array<std::vector<std::uint32_t>, levels>;  // by level, of each of many points
   static constexpr std::uint16_t max_per_cell = 200;  // then the cell is full: early points hold against drift
 
   explicit DistributionMap(double finest_cell_size);
 
   void clear();
   // `line_bit`: one bit for the scan line of the point (see line_bit()), or 0.
-  void insert(const Eigen::Vector3d& point, std::uint16_t line_bit = 0);
-  // Many at once, the levels in parallel. `line_bits` has one per point or is empty.
-  void insert(std::span<const Eigen::Vector3d> points, std::span<const std::uint16_t> line_bits = {});
-  // The points around `point` on one level (the 2 x 2 x 2 nearest cells), where there are at least `min_points`.
-  std::optional<LocalSurface> surface(const Eigen::Vector3d& point, int level, int min_points = 8) const;
-  // The points of the one cell that holds `point`.
-  std::optional<LocalSurface> cell_surface(const Eigen::Vector3d& point, int level, int min_points = 8) const;
+  void insert(const Eigen::Vector3d& point, std::uint16_t line_bit = 0) { insert({&point, 1}, {&line_bit, 1}); }
+  // Many at once, the levels in parallel. `line_bits` has one per point or is empty. Adds the numbers of their cells to
+  // `numbers`.
+  void insert(std::span<const Eigen::Vector3d> points, std::span<const std::uint16_t> line_bits = {},
+              CellNumbers* numbers = nullptr);
+  HalfCell half_cell(const Eigen::Vector3d& point) const {
+    return (point / half_cell_size_).array().floor().cast<std::int32_t>();
+  }
+  // The points around a place on one level (the 2 x 2 x 2 nearest cells), where there are at least `min_points`.
+  std::optional<LocalSurface> surface(const HalfCell& place, int level, int min_points = 8) const;
+  std::optional<LocalSurface> surface(const Eigen::Vector3d& point, int level, int min_points = 8) const {
+    return surface(half_cell(point), level, min_points);
+  }
+  // Calls for the memory that surface() of these places will want: together they wait for it about as long as one
+  // alone.
+  void call_for(std::span<const HalfCell> places, int level) const;
+  // The points of one cell, by its number among cells(level), about its centre, where there are at least `min_points`.
+  std::optional<LocalSurface> cell_surface(int level, std::size_t cell, int min_points = 8) const;
+  // Of the cell that holds a place.
+  Eigen::Vector3d centre_at(const HalfCell& place, int level) const;
 
   double cell_size(int level) const { return levels_[static_cast<std::size_t>(level)].cell_size; }
   std::size_t cells(int level) const { return levels_[static_cast<std::size_t>(level)].cells.size(); }
@@ -57,6 +75,8 @@ class DistributionMap {
     std::uint16_t count = 0, lines = 0;
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     float second[6] = {0, 0, 0, 0, 0, 0};  // xx xy xz yy yz zz
+
+    void add(const Eigen::Vector3f& from_centre, std::uint16_t line_bit);
   };
   // Memory that is not in the cache makes this slow. So cells are stored consecutively and found through blocks of 4 x
   // 4 x 4: the eight cells around a place need two look-ups of a block on average, not eight of a cell.
@@ -73,11 +93,15 @@ class DistributionMap {
     std::vector<Block> blocks;
     std::vector<Cell> cells;
 
+    // The block that a point was inserted into last: the next one mostly goes there too.
+    std::uint64_t last_key = ~0ull;
+    std::uint32_t last_block = 0;
+
     void clear();
-    void insert(const Eigen::Vector3d& point, std::uint16_t line_bit);
-    Block& block_at(std::uint64_t key);
+    void insert(std::span<const Eigen::Vector3d> points, std::span<const std::uint16_t> line_bits,
+                std::vector<std::uint32_t>* numbers);
+    std::uint32_t block_at(std::uint64_t key);
     const Block* find_block(std::uint64_t key) const;
-    const Cell* find_cell(const Eigen::Matrix<std::int64_t, 3, 1>& cell) const;
     std::array<const Cell*, 8> cells_about(const Eigen::Matrix<std::int64_t, 3, 1>& corner) const;
     void grow();
   };
@@ -94,6 +118,7 @@ class DistributionMap {
   };
 
   std::vector<Level> levels_;
+  double half_cell_size_;  // of the finest level
 };
 
 // A bit for the elevation (in bins of a third of a degree, modulo sixteen) at which a sensor at the origin sees a

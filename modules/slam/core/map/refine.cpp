@@ -1,12 +1,12 @@
 #include "slam/core/map/refine.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "slam/core/map/banded_system.h"
+#include "slam/core/map/cell_targets.h"
 
 namespace bole::slam {
 namespace {
@@ -32,31 +32,55 @@ PoseGrid grid_over(const Path& path, const FrameSample& frame) {
   return PoseGrid([&](double s) { return path.at(frame.begin_s + s * (frame.end_s - frame.begin_s)); });
 }
 
-void build_map(const Path& path, const std::vector<FrameSample>& frames, FeatureMaps& maps, const Run& run) {
-  maps.clear();
-  std::vector<Eigen::Vector3d> edges, planes;
-  constexpr std::size_t batch = 1 << 16;  // points
-  const auto hand_over = [&](std::vector<Eigen::Vector3d>& points, DistributionMap& map) {
-    map.insert(points);
-    points.clear();
-  };
-  for (const auto& frame : frames) {
-    run.check_cancel();
-    const auto poses = grid_over(path, frame);
-    for (const auto& p : frame.features.edges) edges.push_back(poses.in_map(p.position, p.s));
-    for (const auto& p : frame.features.planes) planes.push_back(poses.in_map(p.position, p.s));
-    if (edges.size() >= batch) hand_over(edges, maps.edges);
-    if (planes.size() >= batch) hand_over(planes, maps.planes);
-  }
-  hand_over(edges, maps.edges);
-  hand_over(planes, maps.planes);
-}
+// The map of all frames, and where each of their points lies in it.
+struct FramesMap {
+  explicit FramesMap(double cell_size) : maps(cell_size) {}
 
-void add_to_frame(const Path& path, const FrameSample& frame, const PoseGrid& poses, const FeaturePoint& p, bool line,
-                  const DistributionMap& map, const RefineSettings& settings, FrameSums& sums) {
+  struct Part {
+    DistributionMap::CellNumbers cells;  // of all points
+    std::vector<std::size_t> first;      // of each frame among them
+  };
+  FeatureMaps maps;
+  Part edges, planes;
+
+  void build(const Path& path, const std::vector<FrameSample>& frames, const Run& run) {
+    maps.clear();
+    add(path, frames, &FeatureSet::edges, maps.edges, edges, run);
+    add(path, frames, &FeatureSet::planes, maps.planes, planes, run);
+  }
+
+ private:
+  static void add(const Path& path, const std::vector<FrameSample>& frames, std::vector<FeaturePoint> FeatureSet::*kind,
+                  DistributionMap& map, Part& part, const Run& run) {
+    for (auto& numbers : part.cells) numbers.clear();
+    part.first.clear();
+    std::size_t count = 0;
+    std::vector<Eigen::Vector3d> points;
+    constexpr std::size_t batch = 1 << 16;
+    const auto hand_over = [&] {
+      map.insert(points, {}, &part.cells);
+      points.clear();
+    };
+    for (const auto& frame : frames) {
+      run.check_cancel();
+      part.first.push_back(count);
+      const auto& of_frame = frame.features.*kind;
+      count += of_frame.size();
+      if (of_frame.empty()) continue;
+      const auto poses = grid_over(path, frame);
+      for (const auto& p : of_frame) points.push_back(poses.in_map(p.position, p.s));
+      if (points.size() >= batch) hand_over();
+    }
+    hand_over();
+  }
+};
+
+void add_to_frame(const Path& path, const FrameSample& frame, const PoseGrid& poses, const FeaturePoint& p,
+                  std::size_t index, const DistributionMap::CellNumbers& cells, const CellTargets& targets,
+                  const RefineSettings& settings, FrameSums& sums) {
   const Eigen::Vector3d lever = poses.turned(p.position, p.s);
   const Eigen::Vector3d x = lever + poses.translation(p.s);
-  const auto target = find_target(map, x, line, 0, settings.sigma, CellChoice::cell);
+  const auto target = targets.of(index, x, cells);
   if (target.kind == Target::Kind::none) return;
   const auto e = pose_equations(target, x, lever, settings.kernel_sigmas);
   if (e.inlier) {
@@ -153,28 +177,35 @@ double move_nodes(Path& path, const std::vector<Vector6d>& steps) {
 RefineResult refine_path(const Path& initial, const std::vector<FrameSample>& frames, const RefineSettings& settings,
                          const Run& run, InertialTerms* inertial) {
   RefineResult out{with_nodes_every(initial, settings.node_spacing_s), {}, {}, {}};
-  FeatureMaps maps(settings.cell_size);
+  FramesMap map(settings.cell_size);
   constexpr std::size_t batch = 64;  // frames between checks of the cancel flag
   for (int iteration = 0; iteration < settings.iterations && !run.asked_to_finish(); ++iteration) {
     const Run part = run.part(static_cast<double>(iteration) / settings.iterations,
                               static_cast<double>(iteration + 1) / settings.iterations);
-    build_map(out.path, frames, maps, part);
+    map.build(out.path, frames, part);
+    const CellTargets edges(map.maps.edges, true, settings.sigma, part),
+        planes(map.maps.planes, false, settings.sigma, part);
+    const auto sums_of = [&](std::size_t k) {
+      FrameSums sums;
+      const auto poses = grid_over(out.path, frames[k]);
+      const auto add = [&](const std::vector<FeaturePoint>& points, const FramesMap::Part& where,
+                           const CellTargets& targets) {
+        for (std::size_t i = 0; i < points.size(); ++i)
+          add_to_frame(out.path, frames[k], poses, points[i], where.first[k] + i, where.cells, targets, settings, sums);
+      };
+      add(frames[k].features.edges, map.edges, edges);
+      add(frames[k].features.planes, map.planes, planes);
+      return sums;
+    };
     BandedSystem system(out.path.nodes().size(), inertial ? inertial->unknowns() : 0);
     double squared_error = 0;
     std::size_t inliers = 0;
     for (std::size_t begin = 0; begin < frames.size(); begin += batch) {
       const std::size_t end = std::min(begin + batch, frames.size());
       std::vector<FrameSums> sums(end - begin);
-      tbb::parallel_for(
-          tbb::blocked_range<std::size_t>(begin, end, 1), [&](const tbb::blocked_range<std::size_t>& range) {
-            for (std::size_t k = range.begin(); k < range.end() && !run.cancelled(); ++k) {
-              const auto poses = grid_over(out.path, frames[k]);
-              for (const auto& p : frames[k].features.edges)
-                add_to_frame(out.path, frames[k], poses, p, true, maps.edges, settings, sums[k - begin]);
-              for (const auto& p : frames[k].features.planes)
-                add_to_frame(out.path, frames[k], poses, p, false, maps.planes, settings, sums[k - begin]);
-            }
-          });
+      tbb::parallel_for(begin, end, [&](std::size_t k) {
+        if (!run.cancelled()) sums[k - begin] = sums_of(k);
+      });
       part.check_cancel();
       part.report(static_cast<double>(end) / static_cast<double>(frames.size()), "adjusting the path");
       for (const auto& s : sums) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -19,10 +18,14 @@ namespace bole::slam {
 class ViewColumns {
  public:
   explicit ViewColumns(double width_m) : per_m_(1 / width_m) {
+    for (int border = 1; border < elevations; ++border) {
+      cos_[static_cast<std::size_t>(border - 1)] = std::cos(border * step);
+      sin_[static_cast<std::size_t>(border - 1)] = std::sin(border * step);
+    }
     for (int azimuth = 0; azimuth < azimuths; ++azimuth)
       for (int elevation = 0; elevation < elevations; ++elevation) {
-        const double a = (azimuth + 0.5) * azimuth_step - std::numbers::pi,
-                     e = (elevation + 0.5) * elevation_step - 0.5 * std::numbers::pi;
+        const double a = (azimuth + 0.5) * step - std::numbers::pi,
+                     e = (elevation + 0.5) * step - 0.5 * std::numbers::pi;
         const int direction = azimuth * elevations + elevation;
         auto& axes = axes_[static_cast<std::size_t>(direction)];
         axes.row(0) << -std::sin(a), std::cos(a), 0;
@@ -34,9 +37,9 @@ class ViewColumns {
   // Mixed bits: to be told apart further by hashing them again.
   std::uint64_t key(const Eigen::Vector3d& position, const Eigen::Vector3d& sensor) const {
     const Eigen::Vector3d ray = position - sensor;
-    const int azimuth = sector((std::atan2(ray.y(), ray.x()) + std::numbers::pi) / azimuth_step, azimuths),
-              elevation = sector((std::atan2(ray.z(), ray.head<2>().norm()) + 0.5 * std::numbers::pi) / elevation_step,
-                                 elevations);
+    const bool left = ray.y() >= 0;
+    const int azimuth = left ? elevations + sector(ray.x(), ray.y()) : sector(-ray.x(), -ray.y()),
+              elevation = sector(-ray.z(), ray.head<2>().norm());
     const int view = azimuth * elevations + elevation;
     const Eigen::Vector3d p = axes_[static_cast<std::size_t>(view)] * position;
     const auto u = static_cast<std::int64_t>(std::floor(p.x() * per_m_)),
@@ -50,13 +53,19 @@ class ViewColumns {
 
  private:
   static constexpr double length_m = 2.0;
-  static constexpr int azimuths = 18, elevations = 9;
-  static constexpr double azimuth_step = 2 * std::numbers::pi / azimuths,
-                          elevation_step = std::numbers::pi / elevations;
+  static constexpr int elevations = 9, azimuths = 2 * elevations;
+  static constexpr double step = std::numbers::pi / elevations;  // of both
 
-  static int sector(double s, int count) { return std::clamp(static_cast<int>(s), 0, count - 1); }
+  // Which of the steps of half a turn the angle of (x, y) lies in, y not negative: on the left of how many borders it
+  // lies. The angle itself would take most of the time of a key.
+  int sector(double x, double y) const {
+    int passed = 0;
+    for (std::size_t border = 0; border < cos_.size(); ++border) passed += cos_[border] * y >= sin_[border] * x;
+    return passed;
+  }
 
   double per_m_;
+  std::array<double, elevations - 1> cos_{}, sin_{};  // of the borders between the steps
   std::array<Eigen::Matrix3d, azimuths * elevations> axes_;
 };
 

@@ -44,9 +44,9 @@ struct Witness {
 };
 
 std::optional<Witness> witness(const FeaturePoint& p, bool line, const DistributionMap& map, const PoseGrid& poses,
-                               const RegistrationSettings& settings) {
+                               const RegistrationSettings& settings, MetSurface& met) {
   const Eigen::Vector3d lever = poses.turned(p.position, p.s), x = lever + poses.translation(p.s);
-  const auto surface = find_surface(map, x, line, 0, min_lines);
+  const auto& surface = met.find(map, map.half_cell(x), line, 0, min_lines);
   if (!surface || surface->deviations[line ? 1 : 0] > max_scatter_sigmas * settings.sigma) return std::nullopt;
   const auto e = pose_equations(as_target(*surface, line, settings.sigma), x, lever, settings.kernel_sigmas);
   if (!e.inlier) return std::nullopt;
@@ -138,8 +138,9 @@ std::string Observability::motion_text() const {
 }
 
 Observability observability(const FeatureSet& features, const FeatureMaps& maps, const FrameMotion& motion,
-                            const RegistrationSettings& settings, const Run& run) {
+                            const RegistrationSettings& settings, const Run& run, std::vector<MetSurface> met) {
   const PoseGrid poses(motion);
+  met.resize(features.size());
   const std::size_t edges = features.edges.size();
   std::vector<std::optional<Witness>> asked(features.size());
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, asked.size(), 256),
@@ -147,7 +148,7 @@ Observability observability(const FeatureSet& features, const FeatureMaps& maps,
                       for (std::size_t i = range.begin(); i < range.end() && !run.cancelled(); ++i) {
                         const bool line = i < edges;
                         const FeaturePoint& p = line ? features.edges[i] : features.planes[i - edges];
-                        asked[i] = witness(p, line, line ? maps.edges : maps.planes, poses, settings);
+                        asked[i] = witness(p, line, line ? maps.edges : maps.planes, poses, settings, met[i]);
                       }
                     });
   run.check_cancel();

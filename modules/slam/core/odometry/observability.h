@@ -40,8 +40,9 @@ struct Observability {
 // groups and the median group counts, so that a few spurious surfaces decide nothing. Thick surfaces do not count, nor
 // do those seen by too few scan lines, which may move with the sensor. Zhang, Kaess and Singh 2016 (degeneracy factor)
 // and Tuna et al. 2023 (X-ICP) also judge each direction by itself. Both need thresholds in units of the problem; the
-// ratio to the noise does not. Throws Error{cancelled}.
+// ratio to the noise does not. `met`: Registration::met of these features in these maps, or empty. Throws
+// Error{cancelled}.
 Observability observability(const FeatureSet& features, const FeatureMaps& maps, const FrameMotion& motion,
-                            const RegistrationSettings& settings, const Run& run);
+                            const RegistrationSettings& settings, const Run& run, std::vector<MetSurface> met = {});
 
 }  // namespace bole::slam

@@ -461,7 +461,7 @@ bool Odometry::locate(TrackedFrame& frame, const Features& features, const Run& 
   times_.guess_s += watch.lap();
   Registration r = registered(guess, frame.begin_s, frame.end_s, features, run);
   times_.register_s += watch.lap();
-  const auto seen = observability(features.query, local_map_.maps(), r.motion, base_settings(), run);
+  const auto seen = observability(features.query, local_map_.maps(), r.motion, base_settings(), run, std::move(r.met));
   auto open = open_motion(r, seen);
   if (joined_) open = bridged_motion(r, open, seen, guess, frame, features, run);
   frame.sigma0 = r.sigma0;

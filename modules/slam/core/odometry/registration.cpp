@@ -1,6 +1,5 @@
 #include "slam/core/odometry/registration.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <Eigen/Cholesky>
@@ -20,6 +19,7 @@ using Vector18d = Eigen::Matrix<double, 18, 1>;
 using Matrix18d = Eigen::Matrix<double, 18, 18>;
 
 constexpr double min_planarity = 0.25, min_linearity = 0.5;
+constexpr std::size_t batch_points = 32;
 constexpr std::size_t chunk_points = 256;  // fixed, so that sums do not depend on the number of threads
 
 struct Sums {
@@ -98,34 +98,61 @@ void keep_own_unknowns(bool line, PoseEquations& e) {
 class FrameEquations {
  public:
   FrameEquations(const FeatureSet& features, const FeatureMaps& maps, const RegistrationSettings& settings)
-      : features_(features), maps_(maps), settings_(settings), targets_(features.size()) {}
+      : features_(features),
+        maps_(maps),
+        settings_(settings),
+        targets_(features.size()),
+        met_(settings.points ? 0 : features.size()) {}
 
   // At `motion`. Matches again from `first_level` up, or keeps the targets when that is negative.
   Sums sums(const FrameMotion& motion, int first_level, double kernel, const Run& run) {
     const PoseGrid poses(motion);
     const std::size_t n = targets_.size();
     std::vector<Sums> chunks((n + chunk_points - 1) / chunk_points);
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, chunks.size(), 1),
-                      [&](const tbb::blocked_range<std::size_t>& range) {
-                        for (std::size_t c = range.begin(); c < range.end() && !run.cancelled(); ++c)
-                          for (std::size_t i = c * chunk_points; i < std::min(n, (c + 1) * chunk_points); ++i)
-                            add_point(i, poses, first_level, kernel, chunks[c]);
-                      });
+    tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t c) {
+      const std::size_t end = std::min(n, (c + 1) * chunk_points);
+      for (std::size_t i = c * chunk_points; i < end && !run.cancelled(); i += batch_points) {
+        const std::size_t end_of_batch = std::min(end, i + batch_points);
+        if (first_level >= 0 && !settings_.points) call_for_surfaces(i, end_of_batch, poses, first_level);
+        for (std::size_t k = i; k < end_of_batch; ++k) add_point(k, poses, first_level, kernel, chunks[c]);
+      }
+    });
     run.check_cancel();
     Sums total;
     for (const auto& c : chunks) total += c;
     return total;
   }
 
+  std::vector<MetSurface> take_met() { return std::move(met_); }
+
  private:
+  bool is_line(std::size_t i) const { return i < features_.edges.size(); }
+  const FeaturePoint& point(std::size_t i) const {
+    return is_line(i) ? features_.edges[i] : features_.planes[i - features_.edges.size()];
+  }
+
+  // Points [begin, end) are about to be matched.
+  void call_for_surfaces(std::size_t begin, std::size_t end, const PoseGrid& poses, int first_level) const {
+    std::array<HalfCell, batch_points> places;
+    for (std::size_t i = begin; i < end;) {
+      const bool line = is_line(i);
+      const auto& map = line ? maps_.edges : maps_.planes;
+      std::size_t searched = 0;
+      for (; i < end && is_line(i) == line; ++i) {
+        const HalfCell place = map.half_cell(poses.in_map(point(i).position, point(i).s));
+        if (!met_[i].knows(place, first_level)) places[searched++] = place;
+      }
+      map.call_for({places.data(), searched}, first_level);
+    }
+  }
+
   void add_point(std::size_t i, const PoseGrid& poses, int first_level, double kernel, Sums& sums) {
-    const std::size_t edges = features_.edges.size();
-    const bool line = i < edges;
-    const FeaturePoint& p = line ? features_.edges[i] : features_.planes[i - edges];
+    const bool line = is_line(i);
+    const FeaturePoint& p = point(i);
     const Eigen::Vector3d lever = poses.turned(p.position, p.s);
     const Eigen::Vector3d x = lever + poses.translation(p.s);
-    Target& target = targets_[i];
-    if (first_level >= 0) match(line, p, poses, lever, x, first_level, target);
+    const Target& target = targets_[i];
+    if (first_level >= 0) match(i, line, p, poses, lever, x, first_level);
     if (target.kind == Target::Kind::none) return;
 
     const double variance = settings_.equal ? settings_.sigma * settings_.sigma : target.variance;
@@ -142,11 +169,14 @@ class FrameEquations {
     add_shares(shares(settings_, p.s), e, sums);
   }
 
-  void match(bool line, const FeaturePoint& p, const PoseGrid& poses, const Eigen::Vector3d& lever,
-             const Eigen::Vector3d& x, int first_level, Target& target) const {
+  void match(std::size_t i, bool line, const FeaturePoint& p, const PoseGrid& poses, const Eigen::Vector3d& lever,
+             const Eigen::Vector3d& x, int first_level) {
     const auto& priors = settings_.priors;
+    Target& target = targets_[i];
     if (!settings_.points) {
-      target = find_target(line ? maps_.edges : maps_.planes, x, line, first_level, priors ? 0 : settings_.sigma);
+      const auto& map = line ? maps_.edges : maps_.planes;
+      const auto& surface = met_[i].find(map, map.half_cell(x), line, first_level);
+      target = surface ? as_target(*surface, line, priors ? 0 : settings_.sigma) : Target{};
       if (priors && target.kind != Target::Kind::none) add_prior_variance(*priors, poses, p, lever, x, target);
       return;
     }
@@ -162,6 +192,7 @@ class FrameEquations {
   const FeatureMaps& maps_;
   const RegistrationSettings& settings_;
   std::vector<Target> targets_;
+  std::vector<MetSurface> met_;
 };
 
 Matrix12d of_begin_and_end(const Matrix18d& H) {
@@ -302,16 +333,35 @@ double shift_conditioning(const Matrix6d& H) {
 
 }  // namespace
 
-std::optional<LocalSurface> find_surface(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line,
-                                         int first_level, int min_lines, CellChoice window) {
-  for (int level = first_level; level < DistributionMap::levels; ++level) {
-    auto surface =
-        window == CellChoice::cell ? map.cell_surface(point_in_map, level) : map.surface(point_in_map, level);
-    if (surface && surface->lines >= min_lines &&
-        (line ? surface->linearity() >= min_linearity : surface->planarity() >= min_planarity))
-      return surface;
+bool is_distinct(const LocalSurface& surface, bool line) {
+  return line ? surface.linearity() >= min_linearity : surface.planarity() >= min_planarity;
+}
+
+std::optional<LocalSurface> find_surface(const DistributionMap& map, const HalfCell& place, bool line, int first_level,
+                                         int min_lines, int end_level) {
+  for (int level = first_level; level < end_level; ++level) {
+    auto surface = map.surface(place, level);
+    if (surface && surface->lines >= min_lines && is_distinct(*surface, line)) return surface;
   }
   return std::nullopt;
+}
+
+// Levels that were searched and had none still have none, also where more lines are asked for.
+const std::optional<LocalSurface>& MetSurface::find(const DistributionMap& map, const HalfCell& place, bool line,
+                                                    int first_level, int min_lines) {
+  if (place != place_ || first_level > first_level_ || min_lines < min_lines_) {
+    surface_ = find_surface(map, place, line, first_level, min_lines);
+  } else {
+    const auto finer = find_surface(map, place, line, first_level, min_lines, first_level_);
+    if (finer)
+      surface_ = finer;
+    else if (surface_ && surface_->lines < min_lines)
+      surface_ = find_surface(map, place, line, surface_->level + 1, min_lines);
+  }
+  place_ = place;
+  first_level_ = first_level;
+  min_lines_ = min_lines;
+  return surface_;
 }
 
 Target as_target(const LocalSurface& surface, bool line, double sigma) {
@@ -328,8 +378,8 @@ Target as_target(const LocalSurface& surface, bool line, double sigma) {
 }
 
 Target find_target(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, int first_level,
-                   double sigma, CellChoice window) {
-  const auto surface = find_surface(map, point_in_map, line, first_level, 0, window);
+                   double sigma) {
+  const auto surface = find_surface(map, map.half_cell(point_in_map), line, first_level);
   return surface ? as_target(*surface, line, sigma) : Target{};
 }
 
@@ -415,6 +465,7 @@ Registration register_frame(const FeatureSet& features, const FeatureMaps& maps,
       break;
     }
   }
+  out.met = equations.take_met();
   out.matched = sums.matched;
   out.inliers = sums.inliers;
   out.overlap = out.tried ? static_cast<double>(sums.inliers) / static_cast<double>(out.tried) : 0;

@@ -22,12 +22,6 @@ struct FeatureMaps {
   }
 };
 
-// Which points of the map make the surface at a place: those of the eight nearest cells, or of the one cell that holds
-// it. The first reaches farther, but a window that moves with the place lies behind every point of a convex surface.
-// Its mean is within the bark, and all points are pulled towards what they show, by 5 mm on trunks with cells of 0.1 m.
-// In fixed cells the points are those that make the mean, and these pulls cancel.
-enum class CellChoice { about, cell };
-
 // What a point is matched to: the normal distance to a plane, or the distance to a line.
 struct Target {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -37,14 +31,34 @@ struct Target {
   enum class Kind : std::uint8_t { none, plane, line } kind = Kind::none;
 };
 
-// The surface at the place that is planar (or linear) enough, on the finest level from `first_level` that has one made
-// of at least `min_lines` scan lines.
-std::optional<LocalSurface> find_surface(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line,
-                                         int first_level, int min_lines = 0, CellChoice window = CellChoice::about);
+// The surface at the place that is planar (or linear) enough, on the finest level from `first_level` to below
+// `end_level` that has one made of at least `min_lines` scan lines.
+std::optional<LocalSurface> find_surface(const DistributionMap& map, const HalfCell& place, bool line, int first_level,
+                                         int min_lines = 0, int end_level = DistributionMap::levels);
+// Whether a point can be matched to it.
+bool is_distinct(const LocalSurface& surface, bool line);
+
+// The surface that a point met where it was looked for last. As long as the map stays as it is, places in the same half
+// cell meet the same one: a registration that settles asks for few of them again.
+class MetSurface {
+ public:
+  // As find_surface().
+  const std::optional<LocalSurface>& find(const DistributionMap& map, const HalfCell& place, bool line, int first_level,
+                                          int min_lines = 0);
+
+  // Whether that takes no search.
+  bool knows(const HalfCell& place, int first_level) const { return place == place_ && first_level == first_level_; }
+
+ private:
+  HalfCell place_ = HalfCell::Zero();
+  int first_level_ = DistributionMap::levels;  // no level was looked at
+  int min_lines_ = 0;
+  std::optional<LocalSurface> surface_;
+};
 Target as_target(const LocalSurface& surface, bool line, double sigma);
 // Both of these; Kind::none where there is no surface.
 Target find_target(const DistributionMap& map, const Eigen::Vector3d& point_in_map, bool line, int first_level,
-                   double sigma, CellChoice window = CellChoice::about);
+                   double sigma);
 
 // Normal equations of one pose. The unknowns are a small turn about the sensor (rad, map axes) and a shift of it (m),
 // and d(point)/d(turn) = -[lever]x with `lever` the point minus the position of the sensor.
@@ -122,6 +136,8 @@ struct Registration {
   // Of an elastic frame with a bend: of its end, begin and bend unknown too, priors included (turn rad, shift m; map
   // axes). The points of a frame tell its middle to a millimetre or two, and its end to centimetres.
   Matrix6d end_covariance = Matrix6d::Zero();
+  // What the points met, edges first; empty with RegistrationSettings::points.
+  std::vector<MetSurface> met;
 };
 
 // `guess` is where the search starts, and for MotionModel::elastic also the prediction of the priors. Throws

@@ -15,6 +15,7 @@
 #include "slam/core/loops/pose_graph.h"
 #include "slam/core/map/refine.h"
 #include "slam/core/odometry/inertial_setup.h"
+#include "slam/core/read_ahead.h"
 #include "slam/core/slam_preview.h"
 #include "slam/core/stopwatch.h"
 
@@ -83,15 +84,30 @@ struct FollowCosts {
   }
 };
 
-bool read_frame(const FrameSource& source, std::size_t i, ScanFrame& frame, FrameWarnings& warnings) {
+// A frame of the source, ready to be registered.
+struct PreparedFrame {
+  ScanFrame frame;
+  Scan scan;
+  Features features;
+  std::string unreadable;  // why; empty where it could be read
+  double read_s = 0, features_s = 0;
+};
+
+void prepare_frame(const FrameSource& source, std::size_t i, const ScanGate& gate, FeatureExtractor& extractor,
+                   PreparedFrame& out) {
+  Stopwatch watch;
+  out.unreadable.clear();
   try {
-    source.read(i, frame);
-    return true;
+    source.read(i, out.frame);
   } catch (const Error& e) {
     if (e.kind() == ErrorKind::cancelled) throw;
-    warnings.add(i, std::string("left out: ") + e.what());
-    return false;
+    out.unreadable = e.what();
   }
+  out.read_s = watch.lap();
+  if (!out.unreadable.empty()) return;
+  prepare_scan(out.frame, gate, out.scan);
+  extractor.extract(out.scan, out.features);
+  out.features_s = watch.lap();
 }
 
 std::string found_again_text(const Odometry& odometry) {
@@ -128,11 +144,9 @@ FirstPass follow(const FrameSource& source, const SlamSettings& options, const I
   FrameWarnings warnings(source, report);
   FollowPreview preview(run, source.size());
   FollowCosts costs;
-  ScanFrame frame;
-  Scan scan;
-  Features features;
   FirstPass out;
-  Stopwatch watch;
+  ReadAhead<PreparedFrame> prepared(
+      source.size(), [&](std::size_t i, PreparedFrame& frame) { prepare_frame(source, i, gate, extractor, frame); });
   for (std::size_t i = 0; i < source.size(); ++i) {
     run.check_cancel();
     run.report(static_cast<double>(i) / static_cast<double>(source.size()), "frame " + std::to_string(i + 1) + of_all);
@@ -141,13 +155,14 @@ FirstPass follow(const FrameSource& source, const SlamSettings& options, const I
       report.warnings.push_back("finished on request at frame " + std::to_string(i) + of_all);
       break;
     }
-    watch.lap();
-    if (!read_frame(source, i, frame, warnings)) continue;
-    costs.read_s += watch.lap();
-    prepare_scan(frame, gate, scan);
+    auto& [frame, scan, features, unreadable, read_s, features_s] = prepared.take();
+    costs.read_s += read_s;
+    if (!unreadable.empty()) {
+      warnings.add(i, "left out: " + unreadable);
+      continue;
+    }
+    costs.features_s += features_s;
     costs.unknown_lines += scan.unknown_lines;
-    extractor.extract(scan, features);
-    costs.features_s += watch.lap();
 
     const auto frames_before = odometry.frames().size(), keyframes_before = odometry.keyframes().size();
     odometry.add(i, scan.begin_time_s, scan.end_time_s, features, run);
