@@ -93,8 +93,16 @@ def rms(values):
     return math.sqrt(mean([v * v for v in values])) if values else math.nan
 
 
-def judge(run, scan, options):
-    trees = rows_of(scan / "trees.csv")
+def stands_on(stem, thin, gate=0.15, difference=2):
+    """Whether a stem is one of the saplings: real, but no tree of the plot."""
+    return any(math.hypot(number(t, "x_m") - number(stem, "x_m"), number(t, "y_m") - number(stem, "y_m")) < gate
+               and abs(number(t, "dbh_cm") - number(stem, "dbh_cm")) < difference for t in thin)
+
+
+def judge(run, scan, options, trees=None):
+    """The stems of a run held against the trees of a scan, or against those given in their place."""
+    trees = trees or rows_of(scan / "trees.csv")
+    saplings = rows_of(scan / "saplings.csv") if (scan / "saplings.csv").exists() else []
     stems = rows_of(run / "stems.csv")
     rejected = rows_of(run / "rejected.csv") if (run / "rejected.csv").exists() else []
     pairs, used = matched(trees, stems, options.gate)
@@ -117,7 +125,7 @@ def judge(run, scan, options):
             print(f"missed in {scan.name}: tree {tree['tree_id']}, {number(tree, 'dbh_cm'):.1f} cm at {number(tree, 'x_m'):.2f}, {number(tree, 'y_m'):.2f}; {'; '.join(why) or 'no candidate'}")
     for s, stem in enumerate(stems):
         x, y = number(stem, "x_m"), number(stem, "y_m")
-        if s in used or number(stem, "dbh_cm") < options.min_dbh:
+        if s in used or number(stem, "dbh_cm") < options.min_dbh or stands_on(stem, saplings):
             continue
         if inside[0][0] <= x <= inside[0][1] and inside[1][0] <= y <= inside[1][1]:
             sample.false += 1
