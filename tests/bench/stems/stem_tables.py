@@ -52,6 +52,7 @@ class Sample:
     def __init__(self):
         self.trees = self.missed = self.false = 0
         self.dbh, self.error, self.half, self.covered, self.dx, self.dy, self.height = [], [], [], [], [], [], []
+        self.state = []  # auto, or check where a person is asked to look
 
     def add(self, tree, stem):
         low, high = number(stem, "dbh_lo_cm"), number(stem, "dbh_hi_cm")
@@ -60,6 +61,7 @@ class Sample:
         self.error.append(number(stem, "dbh_cm") - true)
         self.half.append((high - low) / 2)
         self.covered.append(low <= true <= high)
+        self.state.append(stem.get("state", ""))
         self.dx.append(number(stem, "x_m") - number(tree, "x_m"))
         self.dy.append(number(stem, "y_m") - number(tree, "y_m"))
         if stem.get("height_seen") == "1":
@@ -69,7 +71,7 @@ class Sample:
         part = Sample()
         for i, dbh in enumerate(self.dbh):
             if low <= dbh < high:
-                for name in ("dbh", "error", "half", "covered"):
+                for name in ("dbh", "error", "half", "covered", "state"):
                     getattr(part, name).append(getattr(self, name)[i])
         return part
 
@@ -81,7 +83,7 @@ class Sample:
         self.trees += other.trees
         self.missed += other.missed
         self.false += other.false
-        for name in ("dbh", "error", "half", "covered", "dx", "dy", "height"):
+        for name in ("dbh", "error", "half", "covered", "dx", "dy", "height", "state"):
             getattr(self, name).extend(getattr(other, name))
 
 

@@ -12,6 +12,7 @@
 #include "stems/core/detect/ring_density.h"
 #include "stems/core/fit/circle_fit.h"
 #include "stems/core/fit/contour.h"
+#include "stems/core/fit/seen_bark.h"
 #include "stems/core/fit/stem_points.h"
 #include "stems/core/fit/stem_sections.h"
 #include "stems/core/sensor_facts.h"
@@ -313,6 +314,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   int inside = 0, on = 0;
   RingDensity density(s.radius);
   ContraryArc contrary;
+  SeenBark seen;
   for (const auto& p : a.points) {
     const auto* section = find_section(a.sections, p.section);
     if (!section || !section->section.used) continue;
@@ -329,7 +331,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
         outline.push_back({bearing, e.value});
       else if (const auto r = of.along_ray(p, options_.ray_gate, false); r.usable)
         // Measured too far along the ray is too near to the axis by the cosine of incidence.
-        outline.push_back({bearing, -r.value * std::sqrt(std::max(0.0, 1 - r.impact * r.impact))});
+        seen.add(bearing), outline.push_back({bearing, -r.value * std::sqrt(std::max(0.0, 1 - r.impact * r.impact))});
     } else if (e.value < 0) {
       ++inside;
     }
@@ -340,8 +342,9 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   const double beam_doubt = priors_.learnt ? fit.beam_doubt_m : 0;
   const double shared = std::hypot(std::hypot(options_.range_bias, options_.bark_relief_sd),
                                    blur_sd(fit.cylinder.range_offset), beam_doubt),
-               unseen = std::hypot(unseen_shape_sd(s.radius, covered_arc_rad(angles)),
-                                   fit.along_rays ? 0 : unknown_beam_sd(fit.sigma_m)),
+               unseen = fit.along_rays ? s.radius * seen.shape_sd()
+                                       : std::hypot(unseen_shape_sd(s.radius, covered_arc_rad(angles)),
+                                                    unknown_beam_sd(fit.sigma_m)),
                sd = std::hypot(fit.radius_sd_m, shared, unseen),
                half = std::hypot(student_975(std::max(2.0, fit.blocks - 4.0)) * sd, shrink);
   s.edges_m = fit.along_rays ? 0 : unknown_edges_m(fit.sigma_m, covered_arc_rad(angles));
