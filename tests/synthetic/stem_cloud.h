@@ -23,6 +23,7 @@ struct TrueStem {
   double length = 8;                                // along the axis
   double start = 0;                                 // along the axis: limbs of a fork begin above the ground
   double ellipse = 0;                               // relative: radius varies by +-ellipse with twice the bearing
+  double flutes = 0;                                // relative: likewise with five times the bearing
 
   Eigen::Vector3d direction() const { return Eigen::Vector3d(slope.x(), slope.y(), 1).normalized(); }
   double radius_at(double along) const { return std::max(0.005, 0.5 * (dbh - taper * (along - 1.3))); }
@@ -67,7 +68,8 @@ inline std::optional<double> hit(const TrueStem& stem, double ground_z, const Ei
     const Eigen::Vector3d p = w + t * d;
     const double along = p.dot(a);
     const Eigen::Vector3d across = p - along * a;
-    radius = stem.radius_at(along) * (1 + stem.ellipse * std::cos(2 * std::atan2(across.y(), across.x())));
+    const double bearing = std::atan2(across.y(), across.x());
+    radius = stem.radius_at(along) * (1 + stem.ellipse * std::cos(2 * bearing) + stem.flutes * std::cos(5 * bearing));
   }
   const double along = (w + t * d).dot(a);
   if (along < stem.start || along > stem.length) return std::nullopt;

@@ -175,5 +175,9 @@
             <source>split from %1 by hand</source>
             <translation>由 %1 人工拆分</translation>
         </message>
+        <message>
+            <source>not round: points scatter by %1 cm, more than on other stems: a tape may read %2 cm more</source>
+            <translation>断面不圆:点的离散为 %1 cm,大于其他树干:围尺读数可能多 %2 cm</translation>
+        </message>
     </context>
 </TS>

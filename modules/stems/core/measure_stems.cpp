@@ -58,6 +58,7 @@ class Survey {
     if (pooled_ == nullptr)
       for (int round = 0; round < max_alignments && align_passes(priors); ++round) priors = search();
     learn_noise();
+    priors.noise_m = noise_m_;
     drop_repeated();
     if (priors.learnt) refit_all(priors);
     put_back_repeated(priors);

@@ -14,14 +14,11 @@ import copy
 import fnmatch
 import json
 import pathlib
-import shutil
-import subprocess
 import sys
 import types
 
 from stem_tables import Sample, judge, mean, rms
-
-REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
+from surveys import remove_recording, simulate, survey
 
 # As the estimator assumes it: no bark below the ridges (bark_relief 0), stems hardly out of round, the beam of the file.
 PLOT = {
@@ -75,8 +72,6 @@ ROWS = {
 COSTLY_CM = 0.1
 
 WALK = ["--line-spacing", 5, "--speed", 1.3]
-# Tables are all that is looked at.
-QUICK = ["report.figures=false", "report.page=false", "report.cloud=false"]
 
 
 def recipe_with(changes):
@@ -87,31 +82,20 @@ def recipe_with(changes):
     return recipe
 
 
-def run(command, log):
-    with open(log, "w", encoding="utf-8") as out:
-        if subprocess.run([str(c) for c in command], stdout=out, stderr=subprocess.STDOUT, check=False).returncode != 0:
-            sys.exit(f"{' '.join(str(c) for c in command)} failed, see {log}")
-
-
 def measured(options, work, row, seed):
     """Folders of the survey and of the truth of one run; made where they are not there yet."""
     changes, flags = ROWS[row]
     name = "".join(c if c.isalnum() else "_" for c in row) + f"_{seed}"
-    scan, out = work / name / "scan", work / name / "survey"
+    folder = work / name
+    scan, out = folder / "scan", folder / "survey"
     if not (out / "stems.csv").exists():
-        shutil.rmtree(work / name, ignore_errors=True)
-        scan.mkdir(parents=True)
-        recipe = work / name / "recipe.json"
+        recipe = work / f"{name}.json"
         recipe.write_text(json.dumps(recipe_with(changes)), encoding="utf-8")
         arguments = [part for flag, value in flags.items() for part in (f"--{flag}", value)]
-        run([options.bole, "simulate", "--plot", recipe, "--seed", seed, *WALK, *arguments, "--out", scan],
-            work / name / "simulate.log")
-        settings = [f"scan.file={scan}/walk.pcap", f"slam.trajectory={scan}/trajectory.tum", *QUICK, *options.set]
-        run([options.bole, "run", REPOSITORY / "pipelines/forest_plot.json", "--no-cache", *[p for s in settings for p in ("--set", s)], "--out",
-             out], work / name / "run.log")
+        simulate(options.bole, ["--plot", recipe, "--seed", seed, *WALK, *arguments], folder)
+        survey(options.bole, scan, [f"slam.trajectory={scan}/trajectory.tum", *options.set], out)
         if not options.keep:
-            for file in [*scan.glob("*.pcap"), *out.glob("*.la[sz]")]:
-                file.unlink()
+            remove_recording(scan, out)
     return out, scan
 
 

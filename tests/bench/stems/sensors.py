@@ -13,46 +13,28 @@ import argparse
 import json
 import math
 import pathlib
-import shutil
-import subprocess
-import sys
 import types
 
 from stem_tables import Sample, judge, mean, rms
+from surveys import remove_recording, simulate, survey
 
-REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
 ROSETTES = {"mid360", "avia", "horizon"}
-QUICK = ["report.figures=false", "report.page=false", "report.cloud=false"]
-
-
-def run(command, log, allowed=(0,)):
-    with open(log, "w", encoding="utf-8") as out:
-        code = subprocess.run([str(c) for c in command], stdout=out, stderr=subprocess.STDOUT, check=False).returncode
-    if code not in allowed:
-        sys.exit(f"{' '.join(str(c) for c in command)} failed ({code}), see {log}")
 
 
 def surveyed(options, sensor, seed):
     """Folders of the survey and of the truth of one run; made where they are not there yet."""
     folder = options.work / f"{sensor}_{seed}_{options.wind:g}"
-    scan, out = folder / "scan", folder / "survey"
+    out = folder / "survey"
     if not (out / "summary.json").exists():
-        shutil.rmtree(folder, ignore_errors=True)
-        folder.mkdir(parents=True)
         flags = ["--imu", options.imu or "consumer"] if options.imu or sensor in ROSETTES else []
         flags += ["--wind", options.wind] if options.wind else []
         flags += ["--mount-tilt", options.tilt] if sensor in ROSETTES else []
         flags += ["--max-time", options.seconds] if options.seconds else []
-        run([options.bole, "simulate", "--plot", options.plot, "--seed", seed, "--sensor", sensor, *flags, "--out", scan], folder / "simulate.log")
-        recording = scan / "walk.pcap" if (scan / "walk.pcap").exists() else scan / "frames"
-        settings = [f"scan.file={recording}", f"reference_trees.file={scan}/trees.csv", f"reference_path.file={scan}/trajectory.tum", *QUICK, *options.set]
-        run([options.bole, "run", REPOSITORY / "pipelines/forest_plot.json", "--no-cache", *[p for s in settings for p in ("--set", s)], "--out", out],
-            folder / "run.log")
+        scan = simulate(options.bole, ["--plot", options.plot, "--seed", seed, "--sensor", sensor, *flags], folder)
+        survey(options.bole, scan, [f"reference_trees.file={scan}/trees.csv", f"reference_path.file={scan}/trajectory.tum", *options.set], out)
         if not options.keep:
-            shutil.rmtree(scan / "frames", ignore_errors=True)
-            (scan / "walk.pcap").unlink(missing_ok=True)
-            (out / "cloud.laz").unlink(missing_ok=True)
-    return out, scan
+            remove_recording(scan, out)
+    return out, folder / "scan"
 
 
 def line(sensor, runs, sample):

@@ -52,6 +52,7 @@ class Sample:
     def __init__(self):
         self.trees = self.missed = self.false = 0
         self.dbh, self.error, self.half, self.covered, self.dx, self.dy, self.height = [], [], [], [], [], [], []
+        self.state = []  # auto, or check where a person is asked to look
 
     def add(self, tree, stem):
         low, high = number(stem, "dbh_lo_cm"), number(stem, "dbh_hi_cm")
@@ -60,6 +61,7 @@ class Sample:
         self.error.append(number(stem, "dbh_cm") - true)
         self.half.append((high - low) / 2)
         self.covered.append(low <= true <= high)
+        self.state.append(stem.get("state", ""))
         self.dx.append(number(stem, "x_m") - number(tree, "x_m"))
         self.dy.append(number(stem, "y_m") - number(tree, "y_m"))
         if stem.get("height_seen") == "1":
@@ -69,7 +71,7 @@ class Sample:
         part = Sample()
         for i, dbh in enumerate(self.dbh):
             if low <= dbh < high:
-                for name in ("dbh", "error", "half", "covered"):
+                for name in ("dbh", "error", "half", "covered", "state"):
                     getattr(part, name).append(getattr(self, name)[i])
         return part
 
@@ -81,7 +83,7 @@ class Sample:
         self.trees += other.trees
         self.missed += other.missed
         self.false += other.false
-        for name in ("dbh", "error", "half", "covered", "dx", "dy", "height"):
+        for name in ("dbh", "error", "half", "covered", "dx", "dy", "height", "state"):
             getattr(self, name).extend(getattr(other, name))
 
 
@@ -93,8 +95,16 @@ def rms(values):
     return math.sqrt(mean([v * v for v in values])) if values else math.nan
 
 
-def judge(run, scan, options):
-    trees = rows_of(scan / "trees.csv")
+def stands_on(stem, thin, gate=0.15, difference=2):
+    """Whether a stem is one of the saplings: real, but no tree of the plot."""
+    return any(math.hypot(number(t, "x_m") - number(stem, "x_m"), number(t, "y_m") - number(stem, "y_m")) < gate
+               and abs(number(t, "dbh_cm") - number(stem, "dbh_cm")) < difference for t in thin)
+
+
+def judge(run, scan, options, trees=None):
+    """The stems of a run held against the trees of a scan, or against those given in their place."""
+    trees = trees or rows_of(scan / "trees.csv")
+    saplings = rows_of(scan / "saplings.csv") if (scan / "saplings.csv").exists() else []
     stems = rows_of(run / "stems.csv")
     rejected = rows_of(run / "rejected.csv") if (run / "rejected.csv").exists() else []
     pairs, used = matched(trees, stems, options.gate)
@@ -117,7 +127,7 @@ def judge(run, scan, options):
             print(f"missed in {scan.name}: tree {tree['tree_id']}, {number(tree, 'dbh_cm'):.1f} cm at {number(tree, 'x_m'):.2f}, {number(tree, 'y_m'):.2f}; {'; '.join(why) or 'no candidate'}")
     for s, stem in enumerate(stems):
         x, y = number(stem, "x_m"), number(stem, "y_m")
-        if s in used or number(stem, "dbh_cm") < options.min_dbh:
+        if s in used or number(stem, "dbh_cm") < options.min_dbh or stands_on(stem, saplings):
             continue
         if inside[0][0] <= x <= inside[0][1] and inside[1][0] <= y <= inside[1][1]:
             sample.false += 1

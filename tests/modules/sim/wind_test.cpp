@@ -7,6 +7,8 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "modules/sim/plots.h"
 #include "sim/core/plot/build_scene.h"
@@ -19,7 +21,7 @@ struct WindyPlot {
   Forest forest;
   Wind wind;
   explicit WindyPlot(double speed, double from_rad = 1.5 * std::numbers::pi)
-      : forest(make_forest(bare_plot(3), 1)), wind(forest.trees, {speed, from_rad}, 60, 1) {}
+      : forest(make_forest(bare_plot(3), 1)), wind(forest.trees, {}, {speed, from_rad}, 60, 1) {}
 };
 
 TEST(Wind, moves_breast_height_by_millimetres_and_crowns_by_decimetres) {
@@ -152,6 +154,59 @@ TEST(Wind, the_width_of_a_stem_stays) {
     widest_shift = std::max(widest_shift, std::abs(moved.first - rest.first));
   }
   EXPECT_GT(widest_shift, 0.005);
+}
+
+const std::vector<LowPlant> low_plants{{-1, LowPlantKind::shrub, {2, 0, 0.5}, {0, 0}, 1.2},
+                                       {-2, LowPlantKind::grass, {3, 0, 0.5}, {0, 0}, 0.3},
+                                       {-3, LowPlantKind::sapling, {4, 0, 0.5}, {0, 0}, 3}};
+
+TEST(Wind, low_plants_move_by_centimetres_at_their_tops) {
+  const Wind wind({}, low_plants, {5, 0}, 60, 1);
+  ASSERT_EQ(wind.trees().size(), low_plants.size());
+  for (std::size_t i = 0; i < low_plants.size(); ++i) {
+    const auto& plant = wind.trees()[i];
+    EXPECT_EQ(plant.id, low_plants[i].id);
+    double top = 0;
+    for (double t = 0; t < 60; t += 0.05) {
+      top = std::max(top, Wind::displacement(plant, plant.height_m, 0, t).norm());
+      EXPECT_EQ(Wind::displacement(plant, 0, 0, t).norm(), 0);
+    }
+    EXPECT_GT(top, 0.01) << i;
+    EXPECT_LT(top, 0.2) << i;
+  }
+}
+
+// An upright sheet across the ray, as an instance and as a piece of its own, stands for the plant.
+TEST(Wind, rays_meet_low_plants_where_they_are) {
+  const Wind wind({}, low_plants, {8, 1.5 * std::numbers::pi}, 60, 1);
+  Piece sheet{{}, Material::leaf, 0.4F};
+  for (const auto& [y, z] : {std::pair(-1.F, 0.F), std::pair(1.F, 0.F), std::pair(0.F, 2.F)}) sheet.mesh.add({0, y, z});
+  sheet.mesh.triangles.push_back({0, 1, 2});
+  SceneModel model;
+  model.archetypes.push_back({{sheet}});
+  for (const auto& plant : low_plants)
+    model.placements.push_back({0, Eigen::Affine3f(Eigen::Translation3f(plant.foot.cast<float>())), plant.id});
+  const RayScene scene(model, &wind);
+  for (std::size_t i = 0; i < low_plants.size(); ++i)
+    for (const double t : {0.4, 7.7, 31.2}) {
+      const auto& plant = low_plants[i];
+      const double height = 0.8 * std::min(1.0, plant.height_m);
+      RayBundle rays;
+      rays.time_s = t;
+      for (int k = 0; k < RayBundle::size; ++k) {
+        rays.origin[0][k] = static_cast<float>(plant.foot.x()) - 0.5F;
+        rays.origin[1][k] = 0;
+        rays.origin[2][k] = static_cast<float>(plant.foot.z() + height);
+        rays.direction[0][k] = 1;
+        rays.direction[1][k] = rays.direction[2][k] = 0;
+      }
+      RayHit hits[RayBundle::size];
+      scene.intersect(rays, hits);
+      const double moved = Wind::displacement(wind.trees()[i], height, 0, t).x();
+      EXPECT_GT(std::abs(moved), 1e-4);
+      EXPECT_NEAR(static_cast<double>(hits[0].range_m), 0.5 + moved, 1e-5) << i << " at " << t << " s";
+      EXPECT_EQ(hits[0].material, Material::leaf);
+    }
 }
 
 }  // namespace

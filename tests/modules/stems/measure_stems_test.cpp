@@ -125,6 +125,26 @@ TEST(MeasureStems, WithoutRaysStemsSeenInPartMayBeTooThick) {
   for (const auto& s : measure(make_stem_cloud(stand, o)).stems) EXPECT_NEAR(further_down(s), 0, 1e-12);
 }
 
+// A tape lies on the ridges of a fluted stem: the fit gives the mean radius, and must not be sure of it.
+TEST(MeasureStems, AFlutedStemIsToldAndItsIntervalReachesTheTape) {
+  auto o = coarse();
+  o.range_noise = 0.01;
+  auto stand = random_stand(9, 0.2, 0.4, 4);
+  stand[4].dbh = 0.4, stand[4].flutes = 0.08;
+  constexpr double by_tape = 0.4144;  // hull of its section
+  const auto cloud = make_stem_cloud(stand, o);
+  std::size_t told = 0;
+  for (const auto& s : measure(cloud).stems) {
+    if (s.lobes_m == 0) continue;
+    ++told;
+    EXPECT_LT((s.breast_height.head<2>() - stand[4].base).norm(), 0.2);
+    EXPECT_NE(joined(s.reasons).find("not round"), std::string::npos);
+    EXPECT_LT(2 * (s.radius_high - s.lobes_m), by_tape);
+    EXPECT_GT(2 * s.radius_high, by_tape);
+  }
+  EXPECT_EQ(told, 1U);
+}
+
 TEST(MeasureStems, ShrubsAndOutliersAreNoStems) {
   auto o = coarse();
   o.shrub_points = 20000, o.outlier_share = 0.05;

@@ -136,7 +136,8 @@ Report simulate(const SimulationOptions& options, const fs::path& out_dir, const
   run.report(0.03, "building the ray tracer");
   std::optional<Wind> wind;
   if (options.wind > 0)
-    wind.emplace(forest.trees, WindParameters{options.wind, radians(options.wind_from)}, walk.duration_s(), seed);
+    wind.emplace(forest.trees, scene.vegetation.low_plants, WindParameters{options.wind, radians(options.wind_from)},
+                 walk.duration_s(), seed);
   const auto writer = make_scan_writer(sensor, out_dir, simulation_epoch_s, options.rotation_hz, options.dual_return);
   const RayScene rays(scene.model, wind ? &*wind : nullptr);
   write_truth(options, forest, scene.vegetation, out_dir);

@@ -14,7 +14,8 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int variants = 5;  // archetypes of each kind
+constexpr int variants = 5;                                   // archetypes of each kind
+constexpr double shrub_height_m = 1.1, grass_height_m = 0.3;  // of an archetype, about
 
 Eigen::Affine3f placement(const Eigen::Vector3d& at, double azimuth, double scale) {
   return Eigen::Translation3f(at.cast<float>()) *
@@ -57,6 +58,9 @@ class Grower {
   void conifer_crown(const Tree& tree, TriangleMesh& wood, Random& random, Random& leaves);
   void dead_branches(const Tree& tree, TriangleMesh& wood, Random& random);
   void fork(const Tree& tree, Random& random);
+  // A low plant grows until the next one does.
+  void begin_plant(Vegetation& vegetation, LowPlantKind kind, const Eigen::Vector3d& foot, double height_m,
+                   const Eigen::Vector2d& lean = Eigen::Vector2d::Zero());
   Eigen::Vector3d ground_point(double margin, Random& random) const;
   int count_for(double per_ha) const;
   bool is_free(const Eigen::Vector3d& p, double distance) const { return is_free_ground(forest_, p, distance); }
@@ -64,7 +68,7 @@ class Grower {
   SceneModel& scene_;
   const Forest& forest_;
   std::uint64_t seed_;
-  int tree_id_ = 0;  // whose crown grows; 0: none
+  int tree_id_ = 0;  // whose crown grows, or the low plant that does; 0: none
   int clumps_ = 0, sprays_ = 0, shrubs_ = 0, tufts_ = 0, rocks_ = 0;
 };
 
@@ -193,6 +197,12 @@ Eigen::Vector3d Grower::ground_point(double margin, Random& random) const {
   return {x, y, forest_.terrain.height(x, y)};
 }
 
+void Grower::begin_plant(Vegetation& vegetation, LowPlantKind kind, const Eigen::Vector3d& foot, double height_m,
+                         const Eigen::Vector2d& lean) {
+  tree_id_ = -1 - static_cast<int>(vegetation.low_plants.size());
+  vegetation.low_plants.push_back({tree_id_, kind, foot, lean, height_m});
+}
+
 void Grower::understorey(Vegetation& vegetation) {
   Random random(seed_, Stream::clutter, 1);
   const auto& u = forest_.recipe.understorey;
@@ -200,16 +210,20 @@ void Grower::understorey(Vegetation& vegetation) {
     const Eigen::Vector3d p = ground_point(0, random);
     const double scale = random.uniform(0.6, 1.8), azimuth = random.angle();
     if (!is_free(p, 0.15)) continue;
+    begin_plant(vegetation, LowPlantKind::shrub, p, shrub_height_m * scale);
     place(shrubs_, random, placement(p, azimuth, scale));
     vegetation.obstacles.push_back({p.head<2>(), 0.35 * scale});
   }
   for (int i = count_for(u.grass_per_ha); i > 0; --i) {
     // Grass stands in patches: a third of the tufts near the one before.
     const Eigen::Vector3d p = ground_point(0, random);
+    begin_plant(vegetation, LowPlantKind::grass, p, grass_height_m);
     place(tufts_, random, placement(p, random.angle(), random.uniform(0.6, 1.4)));
     for (int k = random.index(4); k > 0; --k, --i) {
       const double x = p.x() + random.normal(0, 0.3), y = p.y() + random.normal(0, 0.3);
-      place(tufts_, random, placement({x, y, forest_.terrain.height(x, y)}, random.angle(), random.uniform(0.6, 1.4)));
+      const Eigen::Vector3d beside(x, y, forest_.terrain.height(x, y));
+      begin_plant(vegetation, LowPlantKind::grass, beside, grass_height_m);
+      place(tufts_, random, placement(beside, random.angle(), random.uniform(0.6, 1.4)));
     }
   }
   for (int i = count_for(u.saplings_per_ha); i > 0; --i) {
@@ -225,7 +239,8 @@ void Grower::understorey(Vegetation& vegetation) {
     s.bark_depth_m = 0;
     if (!is_free(s.foot, 0.3)) continue;
     sapling.taped = tape(s, forest_.terrain);
-    Piece wood{{}, Material::wood, wood_reflectivity};
+    begin_plant(vegetation, LowPlantKind::sapling, s.foot, s.end_m, s.lean);
+    Piece wood{{}, Material::wood, wood_reflectivity, 0, tree_id_};
     std::vector<Eigen::Vector3d> path;
     std::vector<double> radii;
     for (int k = 0; k <= 16; ++k) {
@@ -244,6 +259,7 @@ void Grower::understorey(Vegetation& vegetation) {
     vegetation.obstacles.push_back({s.foot.head<2>(), 0.15});
     vegetation.saplings.push_back(sapling);
   }
+  tree_id_ = 0;
 }
 
 void Grower::clutter(Vegetation& vegetation) {

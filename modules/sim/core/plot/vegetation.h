@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/core/plot/forest.h"
+#include "sim/core/scene/low_plant.h"
 #include "sim/core/scene/scene_model.h"
 
 namespace bole::sim {
@@ -23,6 +24,7 @@ struct Obstacle {
 struct Vegetation {
   std::vector<Sapling> saplings;
   std::vector<Obstacle> obstacles;  // shrubs, saplings and rocks; stems are not listed here
+  std::vector<LowPlant> low_plants;
 };
 
 // Adds all vegetation and clutter of the forest to the scene (the stems themselves apart).

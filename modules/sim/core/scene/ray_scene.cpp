@@ -40,7 +40,7 @@ struct RayScene::Impl {
   std::vector<RTCScene> archetype_scenes;
   std::vector<std::vector<Surface>> archetype_surfaces;  // [archetype][geometry]
   Group rest;
-  std::vector<Group> trees;  // that sway
+  std::vector<Group> trees;  // and low plants, that sway
   std::size_t triangles = 0;
 
   ~Impl() {
@@ -90,11 +90,11 @@ struct RayScene::Impl {
         trees[i].scene = rtcNewScene(device);
         trees[i].sway = &wind->trees()[i];
         trees[i].number = static_cast<unsigned>(i);
-        swaying[trees[i].sway->tree_id] = &trees[i];
+        swaying[trees[i].sway->id] = &trees[i];
       }
     }
     const auto group_of = [&](int tree_id) -> Group& {
-      const auto it = tree_id > 0 ? swaying.find(tree_id) : swaying.end();
+      const auto it = tree_id != 0 ? swaying.find(tree_id) : swaying.end();
       return it == swaying.end() ? rest : *it->second;
     };
     for (const auto& piece : model.pieces) {

@@ -27,7 +27,7 @@ struct Piece {
   Material material = Material::ground;
   float reflectivity = 0.3f;  // share of light sent back diffusely, 0 to 1
   float bark_depth_m = 0;     // fissures of bark: the surface lies up to this far behind the mesh
-  int tree_id = 0;            // 0: belongs to no tree
+  int tree_id = 0;            // below 0: a low plant's; 0: belongs to neither
 };
 
 struct Archetype {
@@ -37,7 +37,7 @@ struct Archetype {
 struct Placement {
   int archetype = 0;
   Eigen::Affine3f T_plot_archetype = Eigen::Affine3f::Identity();  // rotation, translation and one scale for all axes
-  int tree_id = 0;                                                 // 0: belongs to no tree
+  int tree_id = 0;                                                 // below 0: a low plant's; 0: belongs to neither
 };
 
 struct SceneModel {

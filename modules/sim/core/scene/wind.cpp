@@ -18,6 +18,28 @@ constexpr double deflection_share = 0.0004;
 constexpr double usual_slenderness = 80;
 constexpr double stem_zone_m = 0.3;  // beside the axis: what lies within moves with the stem
 
+// Wind near the ground of a stand, by that at the height of the crowns: an assumption, as are the plants' figures.
+constexpr double below_crowns_share = 0.3;
+constexpr std::uint64_t first_low_stream = 1'000'000;  // beyond the ids of trees
+
+struct Pliancy {
+  double deflection_share = 0;  // of the height per (m/s)^2
+  double frequency_hz = 0;
+};
+
+const Pliancy& pliancy_of(LowPlantKind kind) {
+  static constexpr Pliancy sapling{0.008, 0.8}, shrub{0.008, 1.2}, grass{0.035, 2.5};
+  switch (kind) {
+    case LowPlantKind::sapling:
+      return sapling;
+    case LowPlantKind::shrub:
+      return shrub;
+    case LowPlantKind::grass:
+      break;
+  }
+  return grass;
+}
+
 double top_deflection_m(const Tree& tree, double speed_m_s) {
   const double height = tree.stem.end_m, slenderness = height / std::max(0.01, tree.taped.diameter_m);
   const double sail = tree.alive ? 1 : 0.3;
@@ -62,36 +84,64 @@ double Wind::reach_m(const Swaying& tree, double height_m) {
   return (bending(height_m, tree.height_m) + up) * tree.top_reach_m + 1.5 * up * tree.flutter_m;
 }
 
-Wind::Wind(const std::vector<Tree>& trees, const WindParameters& parameters, double duration_s, std::uint64_t seed) {
+// What the motion of a tree or a plant follows from.
+struct Wind::Body {
+  int id = 0;
+  std::uint64_t stream = 0;  // of its random numbers
+  Eigen::Vector3d foot = Eigen::Vector3d::Zero();
+  Eigen::Vector2d lean = Eigen::Vector2d::Zero();
+  double height_m = 0;
+  double deflection_m = 0;  // of its top by the steady wind
+  double frequency_hz = 0;
+  double flutter_m = 0;
+};
+
+void Wind::add(const Body& body, const WindParameters& parameters, double duration_s, std::uint64_t seed) {
   const Eigen::Vector2d downwind(-std::sin(parameters.from_rad), -std::cos(parameters.from_rad)),
       across(-downwind.y(), downwind.x());
   const double speed = parameters.speed_m_s, gust_length_m = std::max(8.0, 4 * speed);
   const auto steps = static_cast<std::size_t>(std::ceil(duration_s / step_s)) + 2;
   const std::uint64_t gusts = Random(seed, Stream::wind).next();
-  for (const auto& tree : trees) {
-    Random random(seed, Stream::wind, static_cast<std::uint64_t>(tree.id));
-    const double deflection = top_deflection_m(tree, speed) * random.uniform(0.8, 1.2);
-    const double frequency =
-        natural_frequency_hz(100 * tree.taped.diameter_m, tree.stem.end_m) * random.uniform(0.9, 1.1);
-    const double along_phase = random.angle(), across_phase = random.angle();
-    Swaying swaying{tree.id, tree.stem.foot, tree.stem.lean, tree.stem.end_m, 0.006 * speed, random.angle(), {}, 0};
-    const Eigen::Vector2d at = tree.stem.foot.head<2>();
-    double reach = 0;
-    for (std::size_t i = 0; i < steps; ++i) {
-      const double t = step_s * static_cast<double>(i), beat = 2 * pi * frequency * t;
-      // Frozen turbulence: the gusts are carried along by the wind.
-      const double gust =
-          gradient_noise((at.dot(downwind) - speed * t) / gust_length_m, at.dot(across) / gust_length_m, gusts);
-      // The oscillation grows and fades over some ten of its periods.
-      const double swing = 0.6 + 0.5 * gradient_noise(0.1 * frequency * t, 0.37 * tree.id, gusts + 1);
-      const double along = 0.6 + 0.8 * gust + 0.5 * swing * std::sin(beat + along_phase),
-                   sideways = 0.3 * swing * std::sin(0.97 * beat + across_phase);
-      const Eigen::Vector2d top = deflection * (along * downwind + sideways * across);
-      reach = std::max(reach, top.norm());
-      swaying.top_m.push_back(top.cast<float>());
-    }
-    swaying.top_reach_m = reach;
-    trees_.push_back(std::move(swaying));
+  Random random(seed, Stream::wind, body.stream);
+  const double deflection = body.deflection_m * random.uniform(0.8, 1.2),
+               frequency = body.frequency_hz * random.uniform(0.9, 1.1);
+  const double along_phase = random.angle(), across_phase = random.angle();
+  Swaying swaying{body.id, body.foot, body.lean, body.height_m, body.flutter_m, random.angle(), {}, 0};
+  const Eigen::Vector2d at = body.foot.head<2>();
+  double reach = 0;
+  swaying.top_m.reserve(steps);
+  for (std::size_t i = 0; i < steps; ++i) {
+    const double t = step_s * static_cast<double>(i), beat = 2 * pi * frequency * t;
+    // Frozen turbulence: the gusts are carried along by the wind.
+    const double gust =
+        gradient_noise((at.dot(downwind) - speed * t) / gust_length_m, at.dot(across) / gust_length_m, gusts);
+    // The oscillation grows and fades over some ten of its periods.
+    const double swing = 0.6 + 0.5 * gradient_noise(0.1 * frequency * t, 0.37 * body.id, gusts + 1);
+    const double along = 0.6 + 0.8 * gust + 0.5 * swing * std::sin(beat + along_phase),
+                 sideways = 0.3 * swing * std::sin(0.97 * beat + across_phase);
+    const Eigen::Vector2d top = deflection * (along * downwind + sideways * across);
+    reach = std::max(reach, top.norm());
+    swaying.top_m.push_back(top.cast<float>());
+  }
+  swaying.top_reach_m = reach;
+  trees_.push_back(std::move(swaying));
+}
+
+Wind::Wind(const std::vector<Tree>& trees, const std::vector<LowPlant>& low_plants, const WindParameters& parameters,
+           double duration_s, std::uint64_t seed) {
+  const double speed = parameters.speed_m_s;
+  for (const auto& tree : trees)
+    add({tree.id, static_cast<std::uint64_t>(tree.id), tree.stem.foot, tree.stem.lean, tree.stem.end_m,
+         top_deflection_m(tree, speed), natural_frequency_hz(100 * tree.taped.diameter_m, tree.stem.end_m),
+         0.006 * speed},
+        parameters, duration_s, seed);
+  for (const auto& plant : low_plants) {
+    const auto& pliancy = pliancy_of(plant.kind);
+    const double near_ground = below_crowns_share * speed,
+                 share = std::min(0.3, pliancy.deflection_share * near_ground * near_ground);
+    add({plant.id, first_low_stream + static_cast<std::uint64_t>(-plant.id), plant.foot, plant.lean, plant.height_m,
+         share * plant.height_m, pliancy.frequency_hz, 0.006 * near_ground},
+        parameters, duration_s, seed);
   }
 }
 

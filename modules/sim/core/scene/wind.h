@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/core/plot/forest.h"
+#include "sim/core/scene/low_plant.h"
 
 namespace bole::sim {
 
@@ -17,15 +18,16 @@ struct WindParameters {
 // A tree bends like a beam that is clamped at its foot and loaded at its top. Its top is moved by the mean wind, by
 // gusts that travel through the stand with the wind, and by its own oscillation at its natural frequency. Branches
 // follow with a delay that grows with their distance from the stem. The motion is sampled every `step_s` and
-// interpolated between.
+// interpolated between. Low plants bend and swing likewise in the slower wind below the crowns.
 class Wind {
  public:
   static constexpr double step_s = 0.05;
 
-  Wind(const std::vector<Tree>& trees, const WindParameters& parameters, double duration_s, std::uint64_t seed);
+  Wind(const std::vector<Tree>& trees, const std::vector<LowPlant>& low_plants, const WindParameters& parameters,
+       double duration_s, std::uint64_t seed);
 
   struct Swaying {
-    int tree_id = 0;
+    int id = 0;  // of a tree, or below 0 of a low plant
     Eigen::Vector3d foot = Eigen::Vector3d::Zero();
     Eigen::Vector2d lean = Eigen::Vector2d::Zero();  // metres per metre
     double height_m = 0;
@@ -33,6 +35,7 @@ class Wind {
     std::vector<Eigen::Vector2f> top_m;       // displacement of the top, one per step
     double top_reach_m = 0;                   // the top moves no further
   };
+  // Trees in their order, then low plants.
   const std::vector<Swaying>& trees() const { return trees_; }
 
   // Share of the top's displacement that a height has.
@@ -47,6 +50,9 @@ class Wind {
   static double natural_frequency_hz(double dbh_cm, double height_m);
 
  private:
+  struct Body;
+  void add(const Body& body, const WindParameters& parameters, double duration_s, std::uint64_t seed);
+
   std::vector<Swaying> trees_;
 };
 

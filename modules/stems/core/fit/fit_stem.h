@@ -55,6 +55,7 @@ struct Stem {
   double ovality = std::numeric_limits<double>::quiet_NaN();  // widest less narrowest diameter, by their mean
   double arc_rad = 0;
   double unbroken_arc_rad = 0;  // longest part of the circle without a gap
+  double lobes_m = 0;           // how far the bark strays from its circle beyond what ranges scatter; in radius_high
   double edges_m = 0;           // by so much the radius can be too large for a beam that nobody knows; in radius_low
   double pass_spread_m = 0;
   double inside_share = 0;      // points well inside the stem, of all on and in it
@@ -94,6 +95,7 @@ struct ProjectPriors {
   bool learnt = false;  // from stems; else what is assumed before any was seen
   DriftPrior drift;
   RangeOffsetPrior range_offset;
+  double noise_m = 0;  // scatter of ranges on the bark of most stems; 0: not known
 };
 
 bool fits_along_rays(const CloudRays& rays, const MeasureOptions& options);

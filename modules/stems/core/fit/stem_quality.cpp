@@ -39,7 +39,7 @@ void judge(Stem& s, double breast_height_m) {
   int sparse = 0;             // how little is known of its diameter
   const auto fault = [&](int weight, Reason why) { doubts += weight, s.reasons.push_back(std::move(why)); };
   const auto blur = [&](int weight, Reason why) { blurs += weight, s.reasons.push_back(std::move(why)); };
-  const double half_cm = 200 * (s.radius_high - s.radius), arc_deg = s.arc_rad * deg_per_rad;
+  const double half_cm = 200 * (s.radius_high - s.lobes_m - s.radius), arc_deg = s.arc_rad * deg_per_rad;
   const bool beam_matters = 200 * s.edges_m > std::max(1.0, 8 * s.radius);
   if (arc_deg < 150)
     fault(arc_deg < 100 ? 2 : 1, {StemReason::short_arc, {arc_deg}});
@@ -69,6 +69,7 @@ void judge(Stem& s, double breast_height_m) {
   if (s.contrary_arc_rad > 0) blur(1, {StemReason::arc_inside, {s.contrary_arc_rad * deg_per_rad}});
   if (s.contrast < 6) blur(s.contrast < 3 ? 2 : 1, {StemReason::low_contrast, {s.contrast}});
   if (s.sigma_m > 0.02) blur(s.sigma_m > 0.03 ? 2 : 1, {StemReason::rough_bark, {100 * s.sigma_m}});
+  if (s.lobes_m > 0) ++sparse, s.reasons.push_back({StemReason::not_round, {100 * s.noise_m, 200 * s.lobes_m}});
   if (s.pass_spread_m > 0.05) blur(1, {StemReason::passes_disagree, {100 * s.pass_spread_m}});
   if (s.taper > 0.01) blur(1, {StemReason::wider_above});
   if (s.ray_through > 0.1) fault(s.ray_through > 0.2 ? 2 : 1, {StemReason::rays_through, {100 * s.ray_through}});
@@ -100,7 +101,7 @@ std::optional<std::string> objection(const Stem& s, const MeasureOptions& option
   if (s.inside_share > 0.5)
     return fmt::format("{:.0f} % of its points lie inside the circle: not a surface", 100 * s.inside_share);
   if (s.doubts >= max_doubts) return "too doubtful: " + joined(s.reasons);
-  if (2 * (s.radius_high - s.radius) > 1.2 * s.radius)
+  if (2 * (s.radius_high - s.lobes_m - s.radius) > 1.2 * s.radius)
     return fmt::format("the diameter is uncertain by more than half of it ({:.0f} to {:.0f} cm)", 200 * s.radius_low,
                        200 * s.radius_high);
   return std::nullopt;

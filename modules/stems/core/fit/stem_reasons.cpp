@@ -8,7 +8,7 @@
 namespace bole::stems {
 namespace {
 
-constexpr std::array<std::string_view, 24> reason_formats{
+constexpr std::array<std::string_view, 25> reason_formats{
     "only {:.0f} deg of the bark seen",
     "{:.0f} deg of the bark seen and no sensor positions: the diameter may be biased",
     "wide interval: +-{:.1f} cm",
@@ -32,8 +32,9 @@ constexpr std::array<std::string_view, 24> reason_formats{
     "ends {:.1f} m above ground: a stump, a post, a person?",
     "added by hand",
     "added by hand, circle fitted to the slice",
-    "split from {:.0f} by hand"};
-static_assert(reason_formats.size() == static_cast<std::size_t>(StemReason::split) + 1);
+    "split from {:.0f} by hand",
+    "not round: points scatter by {:.1f} cm, more than on other stems: a tape may read {:.1f} cm more"};
+static_assert(reason_formats.size() == static_cast<std::size_t>(StemReason::not_round) + 1);
 
 }  // namespace
 

@@ -35,6 +35,7 @@ enum class StemReason {
   added,
   added_and_fitted,
   split,
+  not_round,
 };
 
 // A sentence of the table with its numbers. There is no other way to make one.
