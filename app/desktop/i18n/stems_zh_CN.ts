@@ -128,6 +128,10 @@
             <translation>各次经过相差 %1 cm</translation>
         </message>
         <message>
+            <source>seen on %1 deg and fitted as narrowing by %2 cm per metre, as stems seldom do: taper and diameter may be mistaken for one another</source>
+            <translation>只看到 %1 度，拟合结果每米变细 %2 厘米，树干很少如此：尖削度和直径可能被混淆</translation>
+        </message>
+        <message>
             <source>wider above than below</source>
             <translation>上粗下细</translation>
         </message>

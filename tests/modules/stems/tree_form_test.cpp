@@ -319,5 +319,25 @@ TEST(Quality, AStemThatWidensLikeAForkIsToBeChecked) {
   EXPECT_FALSE(objection(s, {}));
 }
 
+// From one side taper and radius are told apart by little: a fit whose taper no stem has is not believed.
+TEST(Quality, AnOddTaperSeenFromOneSideIsToBeChecked) {
+  for (const double narrowing_cm_per_m : {-1.3, 7.0}) {
+    Stem s = clear_stem();
+    s.taper = -narrowing_cm_per_m / 200;
+    judge(s, 1.3);
+    EXPECT_EQ(s.state, "auto") << narrowing_cm_per_m;  // seen all round
+    s.arc_rad = s.unbroken_arc_rad = 4.6;
+    judge(s, 1.3);
+    EXPECT_EQ(s.state, "check") << narrowing_cm_per_m;
+    EXPECT_THAT(joined(s.reasons), testing::HasSubstr("per metre"));
+    EXPECT_FALSE(objection(s, {}));
+  }
+  Stem s = clear_stem();
+  s.arc_rad = s.unbroken_arc_rad = 4.6;
+  s.taper = -0.006;
+  judge(s, 1.3);
+  EXPECT_EQ(s.state, "auto");
+}
+
 }  // namespace
 }  // namespace bole::stems

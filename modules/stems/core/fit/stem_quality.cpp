@@ -15,6 +15,11 @@ constexpr int enough_per_section = 15, few_per_section = 6;  // points on the ba
 constexpr double max_widening = 0.02;                        // of the radius per metre: 4 cm of diameter
 constexpr double widest_gap_m = 0.45;  // between used sections, that breast height may lie in unmarked
 
+// Seen from one side, points tell taper and radius apart by little: of 869 stems of simulated stands 11 were fitted so,
+// and three of them lay outside their interval.
+constexpr double seen_in_part_deg = 300;
+bool usual_narrowing(double cm_per_m) { return cm_per_m >= -0.8 && cm_per_m <= 6; }
+
 // Heights of the nearest used sections below and above.
 std::pair<double, double> sections_beside(const Stem& s, double height) {
   double below = s.lowest, above = s.highest;
@@ -71,6 +76,8 @@ void judge(Stem& s, double breast_height_m) {
   if (s.sigma_m > 0.02) blur(s.sigma_m > 0.03 ? 2 : 1, {StemReason::rough_bark, {100 * s.sigma_m}});
   if (s.lobes_m > 0) ++sparse, s.reasons.push_back({StemReason::not_round, {100 * s.noise_m, 200 * s.lobes_m}});
   if (s.pass_spread_m > 0.05) blur(1, {StemReason::passes_disagree, {100 * s.pass_spread_m}});
+  if (const double narrowing = -200 * s.taper; arc_deg <= seen_in_part_deg && !usual_narrowing(narrowing))
+    sparse += 2, s.reasons.push_back({StemReason::odd_taper, {arc_deg, narrowing}});
   if (s.taper > 0.01) blur(1, {StemReason::wider_above});
   if (s.ray_through > 0.1) fault(s.ray_through > 0.2 ? 2 : 1, {StemReason::rays_through, {100 * s.ray_through}});
   if (const double lean = std::acos(std::min(1.0, s.direction.z())) * deg_per_rad; lean > 15)

@@ -8,7 +8,7 @@
 namespace bole::stems {
 namespace {
 
-constexpr std::array<std::string_view, 25> reason_formats{
+constexpr std::array<std::string_view, 26> reason_formats{
     "only {:.0f} deg of the bark seen",
     "{:.0f} deg of the bark seen and no sensor positions: the diameter may be biased",
     "wide interval: +-{:.1f} cm",
@@ -33,8 +33,10 @@ constexpr std::array<std::string_view, 25> reason_formats{
     "added by hand",
     "added by hand, circle fitted to the slice",
     "split from {:.0f} by hand",
-    "not round: points scatter by {:.1f} cm, more than on other stems: a tape may read {:.1f} cm more"};
-static_assert(reason_formats.size() == static_cast<std::size_t>(StemReason::not_round) + 1);
+    "not round: points scatter by {:.1f} cm, more than on other stems: a tape may read {:.1f} cm more",
+    "seen on {:.0f} deg and fitted as narrowing by {:.1f} cm per metre, as stems seldom do: taper and diameter may be "
+    "mistaken for one another"};
+static_assert(reason_formats.size() == static_cast<std::size_t>(StemReason::odd_taper) + 1);
 
 }  // namespace
 

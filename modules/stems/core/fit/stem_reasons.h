@@ -36,6 +36,7 @@ enum class StemReason {
   added_and_fitted,
   split,
   not_round,
+  odd_taper,
 };
 
 // A sentence of the table with its numbers. There is no other way to make one.
