@@ -58,11 +58,11 @@ def loops():
                 ("DBH bias", "evaluate.dbh_bias", 1), ("DBH RMSE", "evaluate.dbh_rmse", 1))
     by_hand = (("error of the path", "evaluate.ate_rmse", 1), ("trees at their place", "evaluate.matched", 1),
                ("a trunk in two passes, apart", "check.stem_pass_spread", 1))
-    for of, runs in ((measures, (("none", "open"), ("10", "closed"))), (by_hand, (("nothing", "closed"), ("67 and 312", "wrong")))):
+    for of, runs in ((measures, (("none", "open"), ("9", "closed"))), (by_hand, (("nothing", "closed"), ("59 and 339", "wrong")))):
         for row, folder in runs:
             for heading, name, factor in of:
                 yield {"row": row, "heading": heading, "from": (f"{folder}/summary.json", name), "factor": factor}
-    for first, second, found_by in (("67", "312", "context"), ("0", "351", "odometry"), ("0", "369", "odometry")):
+    for first, second, found_by in (("59", "339", "context"), ("0", "355", "odometry"), ("35", "372", "odometry")):
         where = {"from_frame": first, "to_frame": second, "found_by": found_by}
         for heading, column in (("share of points that agree", "overlap"), ("correction", "correction_m")):
             yield {"row": f"{first} and {second}", "heading": heading, "from": ("closed/loop_candidates.csv", where, column)}

@@ -10,9 +10,9 @@
 namespace bole::plant {
 namespace {
 
-constexpr int depth_block = 4;  // pixels of a cell of the depth picture
+constexpr int depth_block = 4;  // pixels
 
-int cell(double v) { return static_cast<int>(std::floor((v + 0.5) / depth_block)); }
+int block_index(double v) { return static_cast<int>(std::floor((v + 0.5) / depth_block)); }
 
 const std::array<float, 256>& light_table() {
   static const auto table = [] {
@@ -35,15 +35,17 @@ NearestDepth::NearestDepth(const CameraModel& camera)
                std::numeric_limits<float>::max()) {}
 
 void NearestDepth::add(const Eigen::Vector2d& pixel, double splat, float depth) {
-  for (int y = std::max(0, cell(pixel.y() - splat)); y <= std::min(rows_ - 1, cell(pixel.y() + splat)); ++y)
-    for (int x = std::max(0, cell(pixel.x() - splat)); x <= std::min(columns_ - 1, cell(pixel.x() + splat)); ++x) {
+  for (int y = std::max(0, block_index(pixel.y() - splat)); y <= std::min(rows_ - 1, block_index(pixel.y() + splat));
+       ++y)
+    for (int x = std::max(0, block_index(pixel.x() - splat));
+         x <= std::min(columns_ - 1, block_index(pixel.x() + splat)); ++x) {
       auto& d = nearest_[index(x, y)];
       d = std::min(d, depth);
     }
 }
 
 float NearestDepth::at(const Eigen::Vector2d& pixel) const {
-  const int x = cell(pixel.x()), y = cell(pixel.y());
+  const int x = block_index(pixel.x()), y = block_index(pixel.y());
   if (x < 0 || y < 0 || x >= columns_ || y >= rows_) return std::numeric_limits<float>::max();
   return nearest_[index(x, y)];
 }

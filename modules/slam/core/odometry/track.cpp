@@ -15,6 +15,7 @@
 #include "slam/core/loops/pose_graph.h"
 #include "slam/core/map/refine.h"
 #include "slam/core/odometry/inertial_setup.h"
+#include "slam/core/odometry/prepared_frame.h"
 #include "slam/core/read_ahead.h"
 #include "slam/core/slam_preview.h"
 #include "slam/core/stopwatch.h"
@@ -83,32 +84,6 @@ struct FollowCosts {
       report.warn(std::to_string(unknown_lines) + " points were left out: their ring is not one of the sensor's");
   }
 };
-
-// A frame of the source, ready to be registered.
-struct PreparedFrame {
-  ScanFrame frame;
-  Scan scan;
-  Features features;
-  std::string unreadable;  // why; empty where it could be read
-  double read_s = 0, features_s = 0;
-};
-
-void prepare_frame(const FrameSource& source, std::size_t i, const ScanGate& gate, FeatureExtractor& extractor,
-                   PreparedFrame& out) {
-  Stopwatch watch;
-  out.unreadable.clear();
-  try {
-    source.read(i, out.frame);
-  } catch (const Error& e) {
-    if (e.kind() == ErrorKind::cancelled) throw;
-    out.unreadable = e.what();
-  }
-  out.read_s = watch.lap();
-  if (!out.unreadable.empty()) return;
-  prepare_scan(out.frame, gate, out.scan);
-  extractor.extract(out.scan, out.features);
-  out.features_s = watch.lap();
-}
 
 std::string found_again_text(const Odometry& odometry) {
   return "found again " + seconds_text(odometry.found_again_after_s()) +
