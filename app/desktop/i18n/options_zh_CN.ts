@@ -4,6 +4,14 @@
     <context>
         <name>option labels</name>
         <message>
+            <source>Checkpoint</source>
+            <translation>检查点</translation>
+        </message>
+        <message>
+            <source>Bark</source>
+            <translation>树皮</translation>
+        </message>
+        <message>
             <source>Extent</source>
             <translation>范围</translation>
         </message>
@@ -4295,6 +4303,10 @@
 </context>
     <context>
         <name>choices</name>
+        <message>
+            <source>bark</source>
+            <translation>按树皮</translation>
+        </message>
         <message>
             <source>standing</source>
             <translation>直立物体</translation>
