@@ -34,6 +34,16 @@ FieldOptions small_options() {
   return o;
 }
 
+// Views of the scene in pictures of `width` pixels, for tests that need no detail.
+PlantSceneViews::Settings small_pictures(int views, int width) {
+  PlantSceneViews::Settings settings;
+  settings.views = views;
+  settings.width = width;
+  settings.height = 3 * width / 4;
+  settings.focal = 0.9375 * width;
+  return settings;
+}
+
 struct Trained {
   Report report;
   TrainedField field;
@@ -95,13 +105,7 @@ TEST(Field, KeepsAStemThatIsAllEdge) {
 }
 
 TEST(Field, SameResultWithOneThreadAndWithTwo) {
-  PlantSceneViews::Settings settings;
-  settings.views = 8;
-  settings.width = 80;
-  settings.height = 60;
-  settings.focal = 75;
-  settings.views = 12;
-  const PlantSceneViews views(settings);
+  const PlantSceneViews views(small_pictures(12, 80));
   auto options = small_options();
   options.steps = 12;
   options.region = "-0.2 -0.2 -0.02 0.2 0.2 0.2";
@@ -163,12 +167,7 @@ Trained train_up_to(const PlantSceneViews& views, const FieldOptions& options, i
 class Checkpoint : public testing::TestWithParam<EncoderKind> {};
 
 TEST_P(Checkpoint, AnInterruptedTrainingEndsAsIfItHadNotBeen) {
-  PlantSceneViews::Settings settings;
-  settings.views = 12;
-  settings.width = 80;
-  settings.height = 60;
-  settings.focal = 75;
-  const PlantSceneViews views(settings);
+  const PlantSceneViews views(small_pictures(12, 80));
   const testing_io::TempDir folder;
   auto options = small_options();
   options.encoder = GetParam();
@@ -195,12 +194,7 @@ INSTANTIATE_TEST_SUITE_P(Encoders, Checkpoint,
                          [](const auto& p) { return std::string(choice_name(p.param)); });
 
 TEST(Field, CheckpointsOfOthersAndDamagedOnesAreRefused) {
-  PlantSceneViews::Settings settings;
-  settings.views = 10;
-  settings.width = 40;
-  settings.height = 30;
-  settings.focal = 37;
-  const PlantSceneViews views(settings);
+  const PlantSceneViews views(small_pictures(10, 40));
   const testing_io::TempDir folder;
   auto options = small_options();
   options.voxel = 0.02;
@@ -229,12 +223,7 @@ TEST(Field, CheckpointsOfOthersAndDamagedOnesAreRefused) {
 
 // A field that gets worse while it is trained: the best one is kept when the training is ended by hand.
 TEST(Field, BestFieldIsRestored) {
-  PlantSceneViews::Settings settings;
-  settings.views = 10;
-  settings.width = 80;
-  settings.height = 60;
-  settings.focal = 75;
-  const PlantSceneViews views(settings);
+  const PlantSceneViews views(small_pictures(10, 80));
   auto options = small_options();
   options.steps = 40;
   options.region = "-0.2 -0.2 -0.02 0.2 0.2 0.2";
@@ -254,12 +243,7 @@ TEST(Field, BestFieldIsRestored) {
 }
 
 TEST(Field, KeptFieldRendersTheSame) {
-  PlantSceneViews::Settings settings;
-  settings.views = 10;
-  settings.width = 80;
-  settings.height = 60;
-  settings.focal = 75;
-  const PlantSceneViews views(settings);
+  const PlantSceneViews views(small_pictures(10, 80));
   for (const auto kind : {EncoderKind::grid, EncoderKind::hash, EncoderKind::paper}) {
     auto options = small_options();
     options.encoder = kind;
@@ -281,12 +265,7 @@ TEST(Field, KeptFieldRendersTheSame) {
 }
 
 TEST(Field, DamagedFieldsAreRefused) {
-  PlantSceneViews::Settings settings;
-  settings.views = 10;
-  settings.width = 40;
-  settings.height = 30;
-  settings.focal = 37;
-  const PlantSceneViews views(settings);
+  const PlantSceneViews views(small_pictures(10, 40));
   auto options = small_options();
   options.voxel = 0.02;
   options.steps = 1;
@@ -349,12 +328,7 @@ struct Problem {
 };
 
 Problem problem(EncoderKind kind) {
-  PlantSceneViews::Settings s;
-  s.views = 10;
-  s.width = 80;
-  s.height = 60;
-  s.focal = 75;
-  const PlantSceneViews views(s);
+  const PlantSceneViews views(small_pictures(10, 80));
   FieldOptions options;
   options.voxel = 0.02;
   options.steps = 3;
