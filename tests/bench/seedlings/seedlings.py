@@ -108,6 +108,25 @@ def surface(program, out, folder):
     return {"median_mm": float(found[1]), "f1": float(found[2]) / 100} if found else {}
 
 
+def stem_curve_errors_mm(out, truth):
+    """Height above the soil (mm) and error of the diameter (mm) of each section of the main stem that pictures have measured."""
+    def rows(path):
+        with open(path, newline="") as file:
+            return list(csv.DictReader(file))
+    if not (truth / "stem.csv").exists() or not (out / "stem.csv").exists():
+        return []
+    true = [(cell(r, "z_m"), cell(r, "diameter_mm")) for r in rows(truth / "stem.csv")]
+    base_z_m = cell(row_of(out / "traits.csv"), "base_z_m")
+    errors = []
+    for r in rows(out / "stem.csv"):
+        height_mm, diameter_mm = cell(r, "height_mm"), cell(r, "diameter_mm")
+        z_m = base_z_m + height_mm / 1000
+        for (below, d1), (above, d2) in zip(true, true[1:]):
+            if math.isfinite(diameter_mm) and below <= z_m < above:
+                errors.append((height_mm, diameter_mm - d1 - (z_m - below) / (above - below) * (d2 - d1)))
+    return errors
+
+
 def mean(values):
     good = [v for v in values if math.isfinite(v)]
     return sum(good) / len(good) if good else math.nan
@@ -127,7 +146,7 @@ def main():
     options = parser.parse_args()
     options.name = options.name or options.method
     errors, covered = {t: [] for t in TRAITS}, {t: [] for t in TRAITS}
-    ates, psnrs, seconds, mib, median_mm, f1, failed = [], [], [], [], [], [], 0
+    ates, psnrs, seconds, mib, median_mm, f1, curve, failed = [], [], [], [], [], [], [], 0
     print("| plant | " + " | ".join(f"{t.replace('_', ' ')}, %" for t in TRAITS) + " | leaves | ATE, mm | PSNR, dB | surface, mm | F1 at 2 mm | s | MiB |")
     print("|---" * (len(TRAITS) + 8) + "|")
     for seed in numbers(options.seeds):
@@ -154,6 +173,7 @@ def main():
         ates.append(1000 * trajectory_error_m(options.bole, out, truth))
         field = out / "field.json"
         psnrs.append(json.loads(field.read_text())["psnr_db"] if field.exists() else math.nan)
+        curve += stem_curve_errors_mm(out, truth)
         found = surface(options.surface, out, folder)
         median_mm.append(found.get("median_mm", math.nan))
         f1.append(found.get("f1", math.nan))
@@ -167,6 +187,10 @@ def main():
         print(f"| {trait.replace('_', ' ')} | {100 * (1 - mean(errors[trait])):.2f} | {PUBLISHED.get(trait, '')} | {100 * mean(covered[trait]):.0f} |")
     print(f"\n{len(seconds)} plants, {failed} failed; ATE {mean(ates):.2f} mm, PSNR {mean(psnrs):.1f} dB, surface {mean(median_mm):.2f} mm, F1 {100 * mean(f1):.0f} %, "
           f"{mean(seconds):.0f} s (longest {max(seconds):.0f}), {max(mib):.0f} MiB")
+    for low, high in ((0, 17), (17, 160), (160, 1000)):
+        part = sorted(abs(e) for h, e in curve if low <= h < high)
+        if part:
+            print(f"stem {low} to {high} mm above the soil: {len(part)} diameters, error median {part[len(part) // 2]:.2f} mm, largest {part[-1]:.2f} mm")
 
 
 if __name__ == "__main__":
