@@ -199,6 +199,20 @@ TEST(TreeTops, AThickStemThatEndsIsNoTop) {
   EXPECT_EQ(tops.verdicts[1], TopVerdict::seen);
 }
 
+// Leaves that become fewer where the view of a scanner ends look like a tip. Further away it sees higher.
+TEST(TreeTops, ATreeAboveNeighboursThatWereCutOffIsCutOffToo) {
+  auto stand = stand_of({{{-5, -5}, 20, 12, 2}, {{5, -5}, 20, 12, 2}, {{-5, 5}, 20, 12, 2}, {{0, 0}, 9.5, 5, 1.2}});
+  for (std::size_t k = 0; k < 3; ++k) follow_to(stand.stems[k], 20, 5);
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t i = 0; i < stand.points.size(); ++i)
+    if (const auto& p = stand.points.positions()[i]; p.head<2>().norm() < 3 || p.z() < 5.5F + 0.1F * p.x())
+      kept.push_back(i);
+  stand.points = stand.points.subset(kept);
+  const auto tops = tops_of(stand);
+  EXPECT_EQ(tops.verdicts.back(), TopVerdict::cut_off);
+  EXPECT_FALSE(stand.stems.back().height_seen);
+}
+
 // A post of a height among trees: bark alone, and nothing above.
 TallStand with_post(double height) {
   auto stand = stand_of({{{-5, -5}, 16, 6, 1.5}, {{5, -5}, 13, 5, 1.5}, {{0, 0}, 16, 8, 1.5}});

@@ -31,7 +31,6 @@ constexpr double hidden_by_cut_m = 1.0;  // ... and one that ends so near may go
 constexpr int min_ends_at_cut = 3;
 
 constexpr double neighbours_m = 15, like_neighbours_m = 1;
-constexpr double higher_far_away = 0.25;  // a scanner sees the higher, the further away a tree stands
 constexpr int min_stopped_neighbours = 3;
 
 // Horizontal scatter of the points of a slice.
@@ -165,21 +164,20 @@ class EndFinder {
     return stopped >= needed && 4 * stopped >= near ? std::optional(cut) : std::nullopt;
   }
 
+  // However much higher: a scanner sees the higher, the further away a tree stands.
   bool ends_like_neighbours(std::size_t k, const std::vector<TreeEnd>& own) const {
     int stopped = 0, others = 0;
-    double low = 0, high = 0;
+    double lowest = 0;
     for (std::size_t j = 0; j < stems_.size(); ++j) {
       if (j == k) continue;
       if ((stems_[j].breast_height - stems_[k].breast_height).head<2>().norm() > neighbours_m) continue;
       ++others;
       if (own[j] != TreeEnd::thick_stem && own[j] != TreeEnd::blunt) continue;
-      low = stopped == 0 ? height_m_[j] : std::min(low, height_m_[j]);
-      high = stopped == 0 ? height_m_[j] : std::max(high, height_m_[j]);
+      lowest = stopped == 0 ? height_m_[j] : std::min(lowest, height_m_[j]);
       ++stopped;
     }
     // Among whole trees some are broken.
-    return stopped >= min_stopped_neighbours && 2 * stopped >= others && height_m_[k] > low - like_neighbours_m &&
-           height_m_[k] < high + std::max(like_neighbours_m, higher_far_away * high);
+    return stopped >= min_stopped_neighbours && 2 * stopped >= others && height_m_[k] > lowest - like_neighbours_m;
   }
 
   const std::vector<Stem>& stems_;

@@ -28,8 +28,9 @@ struct TreeEnds {
 
 // `height_m` are the heights of the highest points, by stem. Needs the stem curves and the crown bases. `cut` is given
 // where the points of all trees together end at one elevation or height, as densely as below it, and three trees, or
-// all, end there thick or wide. A tree also ends at the edge of the cloud where most stems around it end at its height
-// while they are still thick or wide: that is as high as the scanner saw, whatever the shape of that edge.
+// all, end there thick or wide. A tree also ends at the edge
+// of the cloud where most stems around it end while they are still thick or wide, unless it is 1 m lower than all of
+// those: that is as high as the scanner saw, whatever the shape of that edge, and further away it sees higher.
 TreeEnds tree_ends(const std::vector<Stem>& stems, const std::vector<double>& height_m, const PointCloud& points,
                    const PointLabels& labels, const Run& run);
 
