@@ -1,6 +1,6 @@
-// field_run FOLDER|scene OUT [option=value ...]: trains a field and prints what it reaches. FOLDER as in
-// folder_views.h; stride=n takes every n-th view. Writes the cloud as ply and pictures of the views kept back beside
-// the real ones.
+// field_run FOLDER|scene OUT [option=value ...]: trains a field and prints what it reaches. FOLDER: views of any layout
+// with poses; every=n takes every n-th. Writes the cloud as ply and pictures of the views kept back beside the real
+// ones.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -11,7 +11,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "base/memory.h"
-#include "folder_views.h"
+#include "io/core/views/open_views.h"
 #include "plant/core/field/build_space.h"
 #include "plant/core/field/field_cloud.h"
 #include "plant/core/training/train_field.h"
@@ -55,23 +55,23 @@ int work(int argc, char** argv) {
   const std::filesystem::path out = argv[2];
   std::filesystem::create_directories(out);
   OptionSet set(option_table(static_cast<const FieldOptions*>(nullptr)));
-  int stride = 1;
+  io::ReadViewsOptions reading;
   for (int i = 3; i < argc; ++i) {
     const std::string text = argv[i];
     const auto at = text.find('=');
-    if (text.substr(0, at) == "stride")
-      stride = std::max(1, std::atoi(text.c_str() + at + 1));
+    if (text.substr(0, at) == "every")
+      reading.every = std::max(1, std::atoi(text.c_str() + at + 1));
     else
       set.set_text(text.substr(0, at), text.substr(at + 1));
   }
   const auto& options = set.as<FieldOptions>();
-  std::unique_ptr<ViewSource> views;
+  std::shared_ptr<const ViewSource> views;
   if (folder == "scene") {
     synthetic::PlantSceneViews::Settings s;
     s.views = 60, s.width = 640, s.height = 480, s.focal = 600, s.depth_noise = 0.0015;
-    views = std::make_unique<synthetic::PlantSceneViews>(s);
+    views = std::make_shared<synthetic::PlantSceneViews>(s);
   } else {
-    views = std::make_unique<bench::FolderViews>(folder, stride);
+    views = io::open_views(folder, reading);
   }
   const auto start = std::chrono::steady_clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); };

@@ -15,7 +15,7 @@
 
 #include "base/random.h"
 #include "binary_ply.h"
-#include "folder_views.h"
+#include "io/core/views/open_views.h"
 
 namespace {
 
@@ -66,7 +66,8 @@ int work(int argc, char** argv) {
   const auto cloud = bench::read_binary_ply(argv[1]);
   const std::string folder = argv[2];
   const auto mesh = bench::read_binary_ply(folder + "/truth/mesh.ply");
-  const bench::FolderViews views(folder);
+  const auto opened = io::open_views(folder);
+  const ViewSource& views = *opened;
   Triangles triangles;
   std::vector<double> areas;
   for (const auto& t : mesh.triangles) {

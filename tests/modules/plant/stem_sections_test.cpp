@@ -46,11 +46,15 @@ TEST(StemVolume, AnErrorThatAllDiametersShareDoesNotAverageOut) {
 }
 
 TEST(StemSections, DiametersLieBetweenTheirNeighbours) {
-  const auto sections = cone_sections(0.9);
-  EXPECT_NEAR(diameter_at(sections, 0.1, 0.024), 0.006 * (1 - 0.1 / 0.3), 1e-6);
-  EXPECT_DOUBLE_EQ(diameter_at(sections, 0.005, 0.024), sections.front().diameter);
-  EXPECT_TRUE(std::isnan(diameter_at(sections, 0.299, 0.024)));
-  EXPECT_TRUE(std::isnan(diameter_at({}, 0.1, 0.024)));
+  auto sections = cone_sections(0.9);
+  EXPECT_NEAR(diameter_at(sections, 0.1, 0.024).diameter, 0.006 * (1 - 0.1 / 0.3), 1e-6);
+  EXPECT_TRUE(diameter_at(sections, 0.1, 0.024).seen);
+  EXPECT_DOUBLE_EQ(diameter_at(sections, 0.005, 0.024).diameter, sections.front().diameter);
+  EXPECT_TRUE(std::isnan(diameter_at(sections, 0.299, 0.024).diameter));
+  EXPECT_TRUE(std::isnan(diameter_at({}, 0.1, 0.024).diameter));
+  sections.erase(sections.begin() + 2, sections.begin() + 6);  // leaves hid 84 to 156 mm
+  EXPECT_NEAR(diameter_at(sections, 0.12, 0.024).diameter, 0.006 * (1 - 0.12 / 0.3), 1e-6);
+  EXPECT_FALSE(diameter_at(sections, 0.12, 0.024).seen);
 }
 
 // From the pictures of a whole stem: diameters at all heights that are seen, and its volume.

@@ -12,12 +12,25 @@ namespace {
 
 constexpr double bytes_per_voxel = 4 * 16 + 4;  // values, gradients, two moments, a stamp
 
-// Coarse: nothing is known yet, and the training makes voxels smaller where it finds something.
-FieldSpace without_depth(const Region& region, const FieldOptions& options, double& voxel) {
+// Coarse: nothing but outlines is known yet, and the training makes voxels smaller where it finds something.
+FieldSpace without_depth(const MaskHull& hull, const Region& region, const FieldOptions& options, double& voxel) {
   const double most = std::min(4096.0, max_blocks(options));
   while ((region.size() / (voxel * FieldBox::block_size)).array().ceil().prod() > most) voxel *= 1.1;
-  auto space = FieldSpace::around(region, voxel, 1);
-  space.set_cells(0, all_cells(space.boxes.front()));
+  const auto at = [&](double size) {
+    auto space = FieldSpace::around(region, size, 1);
+    space.set_cells(0, hull.given() ? hull.cells(space) : all_cells(space.boxes.front()));
+    return space;
+  };
+  auto space = at(voxel);
+  if (!hull.given()) return space;
+  // As many voxels as before, in the room that is left.
+  const double share = static_cast<double>(space.block_count()) / most;
+  for (double finer = std::max(options.voxel, voxel * std::cbrt(share)); finer < voxel; finer *= 1.1) {
+    auto other = at(finer);
+    if (static_cast<double>(other.block_count()) > most) continue;
+    voxel = finer;
+    return other;
+  }
   return space;
 }
 
@@ -36,12 +49,12 @@ Region field_region(const ViewSource& views, const std::vector<PosedView>& posed
                   : find_region(views, posed, options.min_share, run, report);
 }
 
-FieldSpace build_space(const ViewSource& views, const std::vector<PosedView>& posed, const Region& region,
-                       const FieldOptions& options, const Run& run, Report& report) {
+FieldSpace build_space(const ViewSource& views, const std::vector<PosedView>& posed, const MaskHull& hull,
+                       const Region& region, const FieldOptions& options, const Run& run, Report& report) {
   double voxel = options.voxel;
   FieldSpace space;
   if (!views.has_depth()) {
-    space = without_depth(region, options, voxel);
+    space = without_depth(hull, region, options, voxel);
   } else {
     const int boxes = options.background == Background::scene ? FieldSpace::max_boxes : 1;
     while ((region.size() / (voxel * FieldBox::block_size)).array().ceil().prod() > 50e6) voxel *= 1.25;

@@ -23,6 +23,33 @@ ColorImage smaller(const ColorImage& image, int n) {
   return out;
 }
 
+// The object wherever a pixel shows some of it.
+MaskImage smaller_mask(const MaskImage& mask, int n) {
+  MaskImage out(mask.width / n, mask.height / n, 1, 0);
+  for (int y = 0; y < n * out.height; ++y)
+    for (int x = 0; x < n * out.width; ++x)
+      if (mask.at(x, y) != 0) out.at(x / n, y / n) = 255;
+  return out;
+}
+
+// Colours that came with an alpha channel lie over white already, with edges that are right in parts of a pixel.
+bool is_covered(const ColorImage& color, const MaskImage& mask, std::uint8_t value) {
+  constexpr double enough = 0.95;
+  std::size_t around = 0, covered = 0;
+  for (std::size_t i = 0; i < mask.values.size(); ++i) {
+    if (mask.values[i] != 0) continue;
+    ++around;
+    covered += color.values[3 * i] == value && color.values[3 * i + 1] == value && color.values[3 * i + 2] == value;
+  }
+  return static_cast<double>(covered) >= enough * static_cast<double>(around);
+}
+
+void cover_surroundings(ColorImage& color, const MaskImage& mask, std::uint8_t value) {
+  if (is_covered(color, mask, value)) return;
+  for (std::size_t i = 0; i < mask.values.size(); ++i)
+    if (mask.values[i] == 0) std::fill_n(color.values.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, value);
+}
+
 CameraModel smaller(const CameraModel& camera, int n) {
   CameraModel out = camera;
   out.width = camera.width / n;
@@ -117,7 +144,8 @@ std::vector<FieldView> load_field_views(const ViewSource& views, const std::vect
   for (const auto& p : posed) {
     run.check_cancel();
     run.report(static_cast<double>(place) / static_cast<double>(posed.size()), "reading views");
-    views.read(p.index, view, {.color = true, .depth = options.depth && views.has_depth(), .mask = false});
+    views.read(p.index, view,
+               {.color = true, .depth = options.depth && views.has_depth(), .mask = options.around_object.has_value()});
     if (view.color.empty() || view.color.channels != 3)
       throw bad_input("view " + views.name(p.index) + " has no colour image", "colour images with three channels");
     const auto& camera = views.camera(p.index);
@@ -130,6 +158,10 @@ std::vector<FieldView> load_field_views(const ViewSource& views, const std::vect
     const int n = std::max(1, static_cast<int>(std::lround(static_cast<double>(view.color.width) / options.max_width)));
     f.camera = smaller(camera.color, n);
     f.T_world_camera = p.T_world_camera;
+    if (options.around_object && view.mask.width == view.color.width && view.mask.height == view.color.height) {
+      cover_surroundings(view.color, view.mask, *options.around_object);
+      f.mask = smaller_mask(view.mask, n);
+    }
     f.color = smaller(view.color, n);
     if (!last_camera || !(*last_camera == f.camera)) directions = pixel_directions(f.camera);
     last_camera = f.camera;

@@ -1,7 +1,9 @@
 // The pictures that a field is trained on and tested with, in memory and made smaller.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,7 @@ struct FieldView {
   Pose T_world_camera = Pose::Identity();
   std::shared_ptr<const PixelDirections> directions;
   ColorImage color;
+  MaskImage mask;    // 255 where the picture shows the object alone; empty where it is not known or not asked for
   DepthImage depth;  // registered to the picture, metres along z; 0: none; negative: too near an edge to be trusted
 };
 
@@ -28,6 +31,8 @@ struct FieldViewOptions {
   int hold_out = 8;     // every n-th view is kept back where the data do not say which; 0: none
   DepthNoise noise;
   bool depth = true;  // read it where there is any
+  // Read masks, and lay the object over a surrounding of this value (0 to 255).
+  std::optional<std::uint8_t> around_object{};
 };
 
 std::vector<FieldView> load_field_views(const ViewSource& views, const std::vector<PosedView>& posed,

@@ -101,13 +101,15 @@ void add_leaf_columns(Table& traits, const LeafTraits& leaves, const LeafInputs&
   set("leaf_area", "cm2", 1e4 * area, 1e4 * low, 1e4 * high);
   traits.set("branch_count", std::vector<double>{found ? static_cast<double>(organs.axes.size()) - 1 : no_number});
   const double length = found ? organs.axes.front().curve.length() : no_number;
-  const double half = 1.96 * std::hypot((organs.stem_ends_in_leaf ? 0.25 : 0.12) * in.unit, in.scale_sd * length);
-  // The tip hides between the last leaves, up to an internode further.
-  set("stem_length", "mm", 1000 * length, 1000 * (length - half), 1000 * (length + half + 0.6 * in.unit));
+  // The tip hides between the last leaves, up to an internode further, and what was followed may be the stalk of one.
+  const double scale = in.scale_sd * length, down_sd = organs.stem_ends_in_leaf ? 0.6 : 0.25,
+               up_sd = organs.stem_ends_in_leaf ? 0.25 : 0.12;
+  set("stem_length", "mm", 1000 * length, 1000 * (length - 1.96 * std::hypot(down_sd * in.unit, scale)),
+      1000 * (length + 1.96 * std::hypot(up_sd * in.unit, scale) + 0.6 * in.unit));
 }
 
 void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& in,
-                       const std::function<double(double arc)>& diameter_at) {
+                       const std::function<DiameterThere(double arc)>& diameter_at) {
   if (leaves.organs.axes.empty() || leaves.organs.axes.front().curve.empty()) return;
   const auto& curve = leaves.organs.axes.front().curve;
   auto height = stem.numbers("height_mm"), x = stem.numbers("x_m"), y = stem.numbers("y_m"), z = stem.numbers("z_m"),
@@ -129,9 +131,9 @@ void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& 
     x.insert(x.begin() + at, p.x());
     y.insert(y.begin() + at, p.y());
     z.insert(z.begin() + at, p.z());
-    const double seen = diameter_at(along);
-    diameter.insert(diameter.begin() + at, 1000 * seen);
-    source.insert(source.begin() + at, std::isfinite(seen) ? "contours" : "cloud");
+    const auto there = diameter_at(along);
+    diameter.insert(diameter.begin() + at, 1000 * there.diameter);
+    source.insert(source.begin() + at, there.seen ? "contours" : std::isfinite(there.diameter) ? "between" : "cloud");
   }
   Table all;
   all.facts = stem.facts;

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "base/no_number.h"
 #include "base/report.h"
 #include "cloud/table.h"
 #include "plant/core/leaves/plant_organs.h"
@@ -31,10 +32,15 @@ LeafTraits measure_leaves(const LeafInputs& inputs, const Run& run, Report& repo
 // NaN where nothing is known.
 void add_leaf_columns(Table& traits, const LeafTraits& leaves, const LeafInputs& inputs);
 
-// Adds the rest of the main stem, every 5 mm, to the sections that were measured; rows go upwards. `diameter_at`:
-// metres by the length along the stem from the soil, as the pictures show it (source contours), or NaN (source cloud):
-// a cloud shows thin stems too wide.
+struct DiameterThere {
+  double diameter = no_number;  // metres
+  bool seen = false;            // in the pictures; else it is that between two places that were
+};
+
+// Adds the rest of the main stem, every 5 mm, to the sections that were measured; rows go upwards. `diameter_at`: by
+// the length along the stem from the soil, as the pictures show it (source contours) or between places where they do
+// (source between); without a diameter (source cloud) elsewhere, as a cloud shows thin stems too wide.
 void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& inputs,
-                       const std::function<double(double arc)>& diameter_at);
+                       const std::function<DiameterThere(double arc)>& diameter_at);
 
 }  // namespace bole::plant

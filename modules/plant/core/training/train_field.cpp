@@ -226,16 +226,21 @@ void report_held_out(const TrainedField& field, int steps, Report& report) {
 
 }  // namespace
 
-TrainedField train_field(const ViewSource& views, const std::vector<PosedView>& posed, const Region& region,
+TrainedField train_field(const ViewSource& views, const std::vector<PosedView>& posed, const Region& region_of_views,
                          const FieldOptions& options, const Run& run, Report& report) {
   FieldModel model;
   model.background = options.background;
   model.environment = Environment(options.background);
+  FieldViewOptions reading{options.max_width, options.hold_out, {options.depth_sigma}};
+  if (options.background != Background::scene)
+    reading.around_object = options.background == Background::white ? 255 : 0;
+  auto pictures = load_field_views(views, posed, reading, run.part(0, 0.05), report);
+  const MaskHull hull(pictures);
+  const Region region = hull.given() && !views.has_depth() ? hull.region(region_of_views) : region_of_views;
+  if (hull.given()) report.facts["region_from"] = "masks";
   model.space =
-      std::make_shared<const FieldSpace>(build_space(views, posed, region, options, run.part(0, 0.05), report));
-  TrainingState state(std::move(model),
-                      load_field_views(views, posed, {options.max_width, options.hold_out, {options.depth_sigma}},
-                                       run.part(0.05, 0.1), report));
+      std::make_shared<const FieldSpace>(build_space(views, posed, hull, region, options, run.part(0.05, 0.1), report));
+  TrainingState state(std::move(model), std::move(pictures));
   Training training(region, options, views.has_depth(), state);
   training.begin(run, report);
   training.go(run, report);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "plant/core/leaves/axis_curve.h"
+#include "plant/core/leaves/leaf_traits.h"
 #include "plant/core/traits/stem_fit.h"
 #include "plant/core/traits/trait_tables.h"
 
@@ -32,12 +33,12 @@ struct SectionInputs {
 };
 
 // Pieces of `stretch` above and below the one that is known, which is among them, upwards. Pieces that too few views
-// see, that lie flatter than 45 degrees, or that are wider than those below them (where a leaf or a branch begins) are
-// left out.
+// see, that lie flatter than 45 degrees, that views see less alike than the one that is known (stalks lie along them),
+// or that are wider than those below them (where a leaf or a branch begins) are left out.
 std::vector<StemSection> measure_sections(const SectionInputs& inputs, const AxisCurve& stem, const Run& run);
 
-// Between the sections, and half a piece beyond them; NaN elsewhere.
-double diameter_at(const std::vector<StemSection>& sections, double arc, double stretch);
+// Between the sections, and half a piece beyond them. It is seen up to half a piece from a section.
+DiameterThere diameter_at(const std::vector<StemSection>& sections, double arc, double stretch);
 
 // Volume of the stem from the soil to its tip (cubic metres): frusta between the sections, the lowest one thickening on
 // down to the soil, and above the highest one a form between a cone and a cylinder. `shared_sd`: error of all diameters

@@ -237,7 +237,7 @@ class Measurement {
                                   *fit_, search_, options_.stretch, pose_sigma_px},
                                  stem, run_.part(0.9, 1));
     // The tip hides between the last leaves.
-    const double length_sd = std::hypot(0.3 * stem_unit(), options_.scale_sd / 100 * stem.length());
+    const double length_sd = std::hypot(0.6 * stem_unit(), options_.scale_sd / 100 * stem.length());
     volume_ = stem_volume(sections_, stem.length(), systematic_sd_, length_sd);
     report_.counts["stem_sections"] = static_cast<std::int64_t>(sections_.size());
   }
