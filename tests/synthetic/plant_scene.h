@@ -110,6 +110,7 @@ class PlantSceneViews : public ViewSource {
     double depth_noise = 0;  // m at 0.5 m
     double exposure = 0;     // amplitude of a slow drift of the brightness
     bool depth = true;
+    bool masks = false;             // of leaves, stem and pot
     bool own_depth_camera = false;  // 15 mm beside the colour camera, with another focal length
   };
 
@@ -161,6 +162,15 @@ class PlantSceneViews : public ViewSource {
             for (const double dx : {-0.25, 0.25}) sum += color_at(T_world_camera, camera_.color, {x + dx, y + dy}) / 4;
           for (int c = 0; c < 3; ++c)
             view.color.at(x, y, c) = static_cast<std::uint8_t>(std::lround(std::clamp(sum(c) * gain, 0.0, 1.0) * 255));
+        }
+    }
+    if (parts.mask && settings_.masks) {
+      view.mask = MaskImage(settings_.width, settings_.height, 1, 0);
+      for (int y = 0; y < settings_.height; ++y)
+        for (int x = 0; x < settings_.width; ++x) {
+          const Eigen::Vector3d d = T_world_camera.linear() * camera_.color.direction({x, y});
+          const auto hit = scene_.cast(T_world_camera.translation(), d);
+          if (hit.t < 10 && T_world_camera.translation().z() + hit.t * d.z() > 1e-4) view.mask.at(x, y) = 255;
         }
     }
     if (parts.depth && settings_.depth) {

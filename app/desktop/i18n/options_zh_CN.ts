@@ -3454,8 +3454,8 @@
             <translation>辐射场的最细尺度。较小的值保留更细的部分，但需要更多内存和时间。</translation>
         </message>
         <message>
-            <source>What is behind the plant: a scene, or white or black in pictures of an object alone.</source>
-            <translation>植株背后是什么：真实场景，或仅有物体的图片中的白色或黑色。</translation>
+            <source>What is behind the plant: a scene, or white or black in pictures of an object alone, or where masks show it.</source>
+            <translation>植株背后是什么：真实场景，或白色、黑色（图片中只有物体，或有掩膜标出物体时）。</translation>
         </message>
         <message>
             <source>Time for the training. It is ended, with its schedule, when this is used up before steps are done.</source>

@@ -28,8 +28,10 @@ const OptionTable& option_table(const FieldOptions*) {
               "extent", &S::extent, Tier::advanced,
               "What is found as the region. standing: what stands on the largest plane, so that fine "
               "voxels are not spent on the table. common: all that the views see together."},
-          Option<S, Background>{"background", &S::background, Tier::basic,
-                                "What is behind the plant: a scene, or white or black in pictures of an object alone."},
+          Option<S, Background>{
+              "background", &S::background, Tier::basic,
+              "What is behind the plant: a scene, or white or black in pictures of an object alone, or where "
+              "masks show it."},
           Option<S, double>{"max_seconds",
                             &S::max_seconds,
                             Unit::second,

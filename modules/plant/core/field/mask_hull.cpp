@@ -26,7 +26,7 @@ Eigen::Vector3f low_corner(const FieldBox& box, const Eigen::Vector3i& block, in
 MaskHull::MaskHull(const std::vector<FieldView>& views) {
   for (const auto& view : views) {
     if (view.held_out || view.mask.empty()) continue;
-    Outline outline{&view, {}};
+    Outline outline{view.camera, view.T_world_camera.inverse(), {}};
     const auto width = static_cast<std::size_t>(view.mask.width) + 1;
     outline.sums.assign(width * (static_cast<std::size_t>(view.mask.height) + 1), 0);
     for (std::size_t y = 1; y <= static_cast<std::size_t>(view.mask.height); ++y)
@@ -39,14 +39,14 @@ MaskHull::MaskHull(const std::vector<FieldView>& views) {
 }
 
 bool MaskHull::Outline::shows_object(double x, double y, double radius_px) const {
-  const auto width = static_cast<std::size_t>(view->mask.width) + 1;
+  const auto width = static_cast<std::size_t>(camera.width) + 1;
   const auto within = [](double value, int size) {
     return static_cast<std::size_t>(std::clamp(value, 0.0, static_cast<double>(size)));
   };
-  const auto x0 = within(std::floor(x - radius_px + 0.5), view->mask.width),
-             x1 = within(std::ceil(x + radius_px + 0.5), view->mask.width),
-             y0 = within(std::floor(y - radius_px + 0.5), view->mask.height),
-             y1 = within(std::ceil(y + radius_px + 0.5), view->mask.height);
+  const auto x0 = within(std::floor(x - radius_px + 0.5), camera.width),
+             x1 = within(std::ceil(x + radius_px + 0.5), camera.width),
+             y0 = within(std::floor(y - radius_px + 0.5), camera.height),
+             y1 = within(std::ceil(y + radius_px + 0.5), camera.height);
   return sums[y1 * width + x1] - sums[y0 * width + x1] - sums[y1 * width + x0] + sums[y0 * width + x0] > 0;
 }
 
@@ -54,12 +54,11 @@ bool MaskHull::may_hold(const Eigen::Vector3d& middle_in_world, double radius_m)
   int seen = 0, empty = 0;
   const auto count = static_cast<int>(outlines_.size());
   for (const auto& outline : outlines_) {
-    const auto& view = *outline.view;
-    const Eigen::Vector3d p = view.T_world_camera.inverse() * middle_in_world;
-    const auto pixel = view.camera.project(p);
-    if (!pixel || !view.camera.contains(*pixel)) continue;
+    const Eigen::Vector3d p = outline.T_camera_world * middle_in_world;
+    const auto pixel = outline.camera.project(p);
+    if (!pixel || !outline.camera.contains(*pixel)) continue;
     ++seen;
-    empty += !outline.shows_object(pixel->x(), pixel->y(), radius_m * std::abs(view.camera.fx) / p.z());
+    empty += !outline.shows_object(pixel->x(), pixel->y(), radius_m * std::abs(outline.camera.fx) / p.z());
     if (empty * views_per_gap > count) return false;
   }
   return seen >= std::min(min_views, count) && empty * views_per_gap <= seen;

@@ -11,7 +11,7 @@ namespace bole::plant {
 
 class MaskHull {
  public:
-  // Of the views that have a mask and are not kept back. Keeps pointers to them.
+  // Of the views that have a mask and are not kept back.
   explicit MaskHull(const std::vector<FieldView>& views);
   bool given() const { return !outlines_.empty(); }
 
@@ -25,7 +25,8 @@ class MaskHull {
 
  private:
   struct Outline {
-    const FieldView* view = nullptr;
+    CameraModel camera;
+    Pose T_camera_world = Pose::Identity();
     // Object pixels above and left of a place, so that a square of pixels is counted with four look-ups.
     std::vector<std::int32_t> sums;
     bool shows_object(double x, double y, double radius_px) const;
