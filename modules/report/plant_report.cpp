@@ -161,6 +161,10 @@ class PlantReport {
         writer_.save(render::plant_drawing({&inputs_.cloud("points"), table("traits")}, o_.figure_width),
                      {.dpi = o_.dpi, .as_pixels = true});
       });
+    if (const auto* stem = table("stem"); stem != nullptr && stem->rows() > 1)
+      writer_.attempt("stem", [&] {
+        writer_.save(render::stem_chart(*stem, o_.figure_width / 2), {.dpi = o_.dpi, .wide = false});
+      });
     if (table("matches") != nullptr && inputs_.has("views")) writer_.attempt("matches", [&] { draw_matches(); });
     if (const auto* held_out = table("held_out"); held_out != nullptr && held_out->rows() > 0)
       writer_.attempt("held-out views", [&] {

@@ -182,6 +182,63 @@ Figure plant_drawing(const PlantDrawing& data, double width_mm) {
   return figure;
 }
 
+namespace {
+
+struct StemRows {
+  std::vector<double> height, diameter, lo, hi;
+  std::vector<char> seen;
+
+  explicit StemRows(const Table& stem) {
+    const auto h = numbers_or_nan(stem, "height_mm"), d = numbers_or_nan(stem, "diameter_mm"),
+               low = numbers_or_nan(stem, "diameter_lo_mm"), high = numbers_or_nan(stem, "diameter_hi_mm");
+    const auto source = texts_or_empty(stem, "source");
+    for (std::size_t i = 0; i < h.size(); ++i) {
+      if (!std::isfinite(h[i] + d[i])) continue;
+      height.push_back(h[i]), diameter.push_back(d[i]), seen.push_back(source[i] != "between");
+      lo.push_back(std::isfinite(low[i]) ? low[i] : d[i]), hi.push_back(std::isfinite(high[i]) ? high[i] : d[i]);
+    }
+  }
+  std::vector<Eigen::Vector2d> band(const Frame& frame) const {
+    std::vector<Eigen::Vector2d> outline;
+    for (std::size_t i = 0; i < height.size(); ++i) outline.push_back(frame.map(height[i], hi[i]));
+    for (std::size_t i = height.size(); i-- > 0;) outline.push_back(frame.map(height[i], lo[i]));
+    return outline;
+  }
+};
+
+}  // namespace
+
+Figure stem_chart(const Table& stem, double width_mm) {
+  Figure figure;
+  figure.name = "stem";
+  figure.title = "Diameter of the stem";
+  figure.caption =
+      "Diameter of the main stem by the height above the soil, from its edges in the pictures, with the 95 % interval. "
+      "Dashed: between places that were seen; nothing is drawn where leaves hide the stem.";
+  figure.width_mm = width_mm;
+  figure.height_mm = 0.5 * width_mm;
+  figure.draw = [rows = StemRows(stem)](Canvas& canvas) {
+    Interval x{0, 10}, y{0, 1};
+    for (std::size_t i = 0; i < rows.height.size(); ++i)
+      x.hi = std::max(x.hi, rows.height[i]), y.hi = std::max(y.hi, rows.hi[i]);
+    const Frame frame{{axis_space_left_mm, 2, canvas.width_mm() - 3, canvas.height_mm() - axis_space_below_mm},
+                      nice_interval(x, 6),
+                      nice_interval(y, 5)};
+    const AxesStyle axes{"Height above the soil (mm)", "Diameter (mm)"};
+    draw_grid(canvas, frame, axes);
+    if (rows.height.size() > 1) canvas.polygon(rows.band(frame), ink::primary.with_alpha(0.2));
+    for (std::size_t i = 1; i < rows.height.size(); ++i) {
+      Stroke line{ink::primary, 0.4};
+      if (rows.seen[i - 1] == 0 || rows.seen[i] == 0) line.dash_mm = {1, 1};
+      canvas.polyline(
+          std::vector{frame.map(rows.height[i - 1], rows.diameter[i - 1]), frame.map(rows.height[i], rows.diameter[i])},
+          line);
+    }
+    draw_axes(canvas, frame, axes);
+  };
+  return figure;
+}
+
 Figure held_out_chart(const Table& held_out, double width_mm) {
   const auto view = numbers_or_nan(held_out, "view"), psnr = numbers_or_nan(held_out, "psnr_db");
   Figure figure;

@@ -16,6 +16,10 @@ struct PlantDrawing {
 // it draws. Points of other parts than the plant are pale.
 Figure plant_drawing(const PlantDrawing& data, double width_mm);
 
+// Diameter of the main stem by the height above the soil, with its 95 % interval: columns height_mm, diameter_mm,
+// diameter_lo_mm, diameter_hi_mm and source. What lies between places that were seen is dashed.
+Figure stem_chart(const Table& stem, double width_mm);
+
 // Signal-to-noise ratio of every view that the field was not made from: columns view and psnr_db.
 Figure held_out_chart(const Table& held_out, double width_mm);
 

@@ -72,13 +72,20 @@ TEST(StemSections, FollowTheStemUpwards) {
   in.views = &views;
   in.poses = &views.given_poses();
   const auto t = measure_traits(in, {}, {});
-  const auto height = t.stem.numbers("height_mm"), diameter = t.stem.numbers("diameter_mm");
-  double highest = 0;
+  const auto height = t.stem.numbers("height_mm"), diameter = t.stem.numbers("diameter_mm"),
+             low = t.stem.numbers("diameter_lo_mm"), high = t.stem.numbers("diameter_hi_mm");
+  double highest = 0, held = 0, all = 0;
   for (std::size_t i = 0; i < height.size(); ++i) {
+    EXPECT_EQ(std::isfinite(low[i]) && std::isfinite(high[i]), std::isfinite(diameter[i]));
     if (!std::isfinite(diameter[i])) continue;
+    const double truth = 1000 * plant.diameter(height[i] / 1000);
+    ++all;
+    held += low[i] <= truth && truth <= high[i];
+    EXPECT_LT(high[i] - low[i], 0.6);
     highest = std::max(highest, height[i]);
-    EXPECT_NEAR(diameter[i], 1000 * plant.diameter(height[i] / 1000), 0.2) << height[i];
+    EXPECT_NEAR(diameter[i], truth, 0.2) << height[i];
   }
+  EXPECT_GE(held, 0.9 * all);
   EXPECT_GT(highest, 150);
   double truth = 0, length = 0;
   constexpr double step = 0.001;

@@ -113,7 +113,7 @@ void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& 
   if (leaves.organs.axes.empty() || leaves.organs.axes.front().curve.empty()) return;
   const auto& curve = leaves.organs.axes.front().curve;
   auto height = stem.numbers("height_mm"), x = stem.numbers("x_m"), y = stem.numbers("y_m"), z = stem.numbers("z_m"),
-       diameter = stem.numbers("diameter_mm");
+       diameter = stem.numbers("diameter_mm"), lo = stem.numbers("diameter_lo_mm"), hi = stem.numbers("diameter_hi_mm");
   auto source = stem.texts("source");
   const double none = std::numeric_limits<double>::infinity();
   const double first = height.empty() ? none : *std::ranges::min_element(height);
@@ -133,6 +133,8 @@ void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& 
     z.insert(z.begin() + at, p.z());
     const auto there = diameter_at(along);
     diameter.insert(diameter.begin() + at, 1000 * there.diameter);
+    lo.insert(lo.begin() + at, 1000 * std::max(there.diameter - 1.96 * there.sd, 0.0));
+    hi.insert(hi.begin() + at, 1000 * (there.diameter + 1.96 * there.sd));
     source.insert(source.begin() + at, there.seen ? "contours" : std::isfinite(there.diameter) ? "between" : "cloud");
   }
   Table all;
@@ -142,6 +144,8 @@ void add_stem_sections(Table& stem, const LeafTraits& leaves, const LeafInputs& 
   all.set("y_m", y);
   all.set("z_m", z);
   all.set("diameter_mm", diameter);
+  all.set("diameter_lo_mm", lo);
+  all.set("diameter_hi_mm", hi);
   all.set("source", source);
   stem = std::move(all);
 }

@@ -34,6 +34,7 @@ void add_leaf_columns(Table& traits, const LeafTraits& leaves, const LeafInputs&
 
 struct DiameterThere {
   double diameter = no_number;  // metres
+  double sd = no_number;        // of it
   bool seen = false;            // in the pictures; else it is that between two places that were
 };
 

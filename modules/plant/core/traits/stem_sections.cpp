@@ -18,6 +18,7 @@ constexpr double min_scatter_share = 0.04, max_scatter_share = 0.10;  // of the 
 constexpr double shared_by_views = 0.5;                               // of their scatter may be one error of many views
 constexpr double max_growth = 1.08;    // of a diameter over the one below: more is a node
 constexpr double min_rise = 0.7;       // per length of stem: 45 degrees
+constexpr double between_sd = 0.02;    // of a diameter that nobody saw, between two that were: how straight stems taper
 constexpr double foot_flare_sd = 0.1;  // of the cross-section below the lowest section: it swells by an unknown amount
 constexpr double tip_share = 0.35;     // how thin a stem becomes up to its tip, for a first guess
 
@@ -131,11 +132,16 @@ DiameterThere diameter_at(const std::vector<StemSection>& sections, double arc, 
   if (above == sections.begin() || above == sections.end()) {
     if (sections.empty()) return {};
     const auto& end = above == sections.end() ? sections.back() : sections.front();
-    return reaches(end) ? DiameterThere{end.diameter, true} : DiameterThere{};
+    return reaches(end) ? DiameterThere{end.diameter, end.standard_error, true} : DiameterThere{};
   }
   const auto below = std::prev(above);
   const double t = (arc - below->arc) / (above->arc - below->arc);
-  return {below->diameter + t * (above->diameter - below->diameter), reaches(*below) || reaches(*above)};
+  DiameterThere there;
+  there.diameter = below->diameter + t * (above->diameter - below->diameter);
+  there.sd = std::hypot((1 - t) * below->standard_error, t * above->standard_error);
+  there.seen = reaches(*below) || reaches(*above);
+  if (!there.seen) there.sd = std::hypot(there.sd, between_sd * there.diameter);
+  return there;
 }
 
 std::optional<Interval> stem_volume(const std::vector<StemSection>& sections, double length, double shared_sd,

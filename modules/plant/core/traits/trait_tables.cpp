@@ -73,8 +73,8 @@ std::string size_sentence(const TraitRow& row) {
 }
 
 Table stem_table(const std::optional<CloudStem>& cloud, const std::optional<StemFit>& fit,
-                 const std::vector<StemStrip>& strips, double stem_height) {
-  std::vector<double> height, x, y, z, diameter;
+                 const std::vector<StemStrip>& strips, double stem_height, const Interval& at_stem_height) {
+  std::vector<double> height, x, y, z, diameter, lo, hi;
   std::vector<std::string> source;
   const auto add = [&](const StemCurve& curve, double at, double d, const char* from) {
     const Eigen::Vector3d p = curve.at(at);
@@ -83,6 +83,8 @@ Table stem_table(const std::optional<CloudStem>& cloud, const std::optional<Stem
     y.push_back(p.y());
     z.push_back(p.z());
     diameter.push_back(1000 * d);
+    lo.push_back(1000 * std::max(0.0, d + at_stem_height.low - at_stem_height.value));
+    hi.push_back(1000 * (d + at_stem_height.high - at_stem_height.value));
     source.emplace_back(from);
   };
   if (fit && !strips.empty()) {
@@ -107,6 +109,8 @@ Table stem_table(const std::optional<CloudStem>& cloud, const std::optional<Stem
   t.set("y_m", y);
   t.set("z_m", z);
   t.set("diameter_mm", diameter);
+  t.set("diameter_lo_mm", lo);
+  t.set("diameter_hi_mm", hi);
   t.set("source", source);
   return t;
 }

@@ -36,9 +36,10 @@ Table trait_table(const TraitRow& row);
 void set_volume(Table& traits, const std::optional<Interval>& volume_m3);
 std::string size_sentence(const TraitRow& row);
 
-// height_mm, x_m, y_m, z_m (plant axes), diameter_mm, source.
+// height_mm, x_m, y_m, z_m (plant axes), diameter_mm with its interval, which is as wide as that at `stem_height`,
+// source.
 Table stem_table(const std::optional<CloudStem>& cloud, const std::optional<StemFit>& fit,
-                 const std::vector<StemStrip>& strips, double stem_height);
+                 const std::vector<StemStrip>& strips, double stem_height, const Interval& at_stem_height);
 
 Table contour_table(const StripsFound& found, const ViewSource* views, const std::optional<StemFit>& fit);
 

@@ -262,9 +262,12 @@ class Measurement {
     out.traits = trait_table(row);
     put_trait_options(out.traits.facts, options_);
     add_leaf_columns(out.traits, leaves_, leaf_inputs_);
-    out.stem = stem_table(cloud_stem_, fit_, contours_.strips, stem_at_);
-    add_stem_sections(out.stem, leaves_, leaf_inputs_,
-                      [&](double arc) { return diameter_at(sections_, arc, options_.stretch); });
+    out.stem = stem_table(cloud_stem_, fit_, contours_.strips, stem_at_, stem_);
+    add_stem_sections(out.stem, leaves_, leaf_inputs_, [&](double arc) {
+      auto there = diameter_at(sections_, arc, options_.stretch);
+      there.sd = std::hypot(there.sd, systematic_sd_, options_.scale_sd / 100 * there.diameter);
+      return there;
+    });
     set_volume(out.traits, volume_);
     out.leaves = std::move(leaves_.leaves);
     out.internodes = std::move(leaves_.internodes);
