@@ -41,10 +41,13 @@ class StemSquares {
     for (const auto& s : stems)
       low = low.cwiseMin(s.breast_height.head<2>()), high = high.cwiseMax(s.breast_height.head<2>());
     corner_ = low.array() - 2;
-    cell_ = std::max(0.5, (high - low).maxCoeff() / 2000);
+    cell_ = std::max(1.0, (high - low).maxCoeff() / 2000);
     nx_ = static_cast<int>((high.x() + 2 - corner_.x()) / cell_) + 1,
     ny_ = static_cast<int>((high.y() + 2 - corner_.y()) / cell_) + 1;
     squares_.resize(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_));
+    lowest_z_ = std::numeric_limits<double>::infinity(), highest_z_ = -lowest_z_;
+    for (const auto& s : stems)
+      lowest_z_ = std::min(lowest_z_, s.ground_z + lowest_m), highest_z_ = std::max(highest_z_, s.ground_z + highest_m);
     for (std::uint32_t k = 0; k < stems.size(); ++k) {
       const auto& s = stems[k];
       const double rise = s.breast_height.z() - s.ground_z, along = std::max(rise, highest_m - rise);
@@ -55,12 +58,19 @@ class StemSquares {
     }
   }
 
-  // Calls f(stem) for stems along the ground track of the segment; a stem may be met more than once in a row of
-  // squares.
+  // Calls f(stem) for stems along the ground track of the segment, where it passes at the height of some stem's core; a
+  // stem may be met more than once in a row of squares.
   template <class F>
-  void along(const Eigen::Vector2d& from, const Eigen::Vector2d& to, F&& f) const {
-    const Eigen::Vector2d d = to - from;
+  void along(const Eigen::Vector3d& start, const Eigen::Vector3d& end, F&& f) const {
+    const Eigen::Vector2d from = start.head<2>(), d = end.head<2>() - from;
     double t0 = 0, t1 = 1;
+    const double rise = end.z() - start.z();
+    if (const double beside = cell_ / std::max(1e-9, d.norm()); std::abs(rise) > 1e-9) {
+      const double a = (lowest_z_ - start.z()) / rise, b = (highest_z_ - start.z()) / rise;
+      t0 = std::max(t0, std::min(a, b) - beside), t1 = std::min(t1, std::max(a, b) + beside);
+    } else if (start.z() < lowest_z_ || start.z() > highest_z_) {
+      return;
+    }
     for (int k = 0; k < 2; ++k) {  // clip to the squares
       const double low = corner_[k], high = corner_[k] + (k == 0 ? nx_ : ny_) * cell_;
       if (std::abs(d[k]) < 1e-12) {
@@ -92,7 +102,8 @@ class StemSquares {
   }
 
   Eigen::Vector2d corner_;
-  double cell_ = 0.5;
+  double cell_ = 1;
+  double lowest_z_ = 0, highest_z_ = 0;  // of the cores of all stems
   int nx_ = 0, ny_ = 0;
   std::vector<std::vector<std::uint32_t>> squares_;
 };
@@ -137,8 +148,9 @@ std::vector<RayCount> count_rays(const std::vector<Stem>& stems, const PointClou
           const Eigen::Vector3d from = sensor->cast<double>(), to = p.cast<double>();
           met.clear();
           // One step further, so that a ray stopped at the near side meets the stem's square.
-          const Eigen::Vector2d direction = (to - from).head<2>().normalized();
-          squares.along(from.head<2>(), to.head<2>() + 0.5 * direction, [&](std::uint32_t k) {
+          const Eigen::Vector3d d = to - from;
+          const double beyond = 0.5 / std::max(1e-9, d.head<2>().norm());
+          squares.along(from, to + std::min(beyond, 1.0) * d, [&](std::uint32_t k) {
             if (std::ranges::find(met, k) != met.end()) return;
             met.push_back(k);
             const auto meeting = meet(stems[k], from, to);

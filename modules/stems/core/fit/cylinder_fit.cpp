@@ -255,13 +255,14 @@ class JointFit {
     return c;
   }
 
-  double robust_scale(double scale) const {
+  double robust_scale(double scale) {
     std::vector<double> errors;
     errors.reserve(values_.size());
     for (std::size_t i = 0; i < values_.size(); ++i)
       if (const auto& e = values_[i]; share_[i] >= 0.5 && e.usable && std::abs(e.value) < 4.685 * scale)
         errors.push_back(std::abs(e.value));
-    return 1.4826 * upper_median(errors);
+    middle_error_ = upper_median_near(errors, middle_error_);
+    return 1.4826 * middle_error_;
   }
 
   const std::vector<BarkPoint>& points_;
@@ -273,6 +274,7 @@ class JointFit {
   std::size_t size_;
   DriftPrecision drift_;
   double information_;
+  double middle_error_ = 0;  // when last looked at
 };
 
 DriftEvidence JointFit::drift_evidence(const TaperedCylinder& c, const Eigen::MatrixXd& normal) const {

@@ -15,9 +15,10 @@ struct BarkPoint {
   int pass = 0;                                   // from 0, consecutive
   int view = 0;                                   // from 0, consecutive: part of a pass (number_views)
   int section = 0;
-  std::uint32_t source = 0;  // into the cloud
-  float beam_sd = 0;         // of the light across the beam at the point, metres; 0: a thin ray
-  float beam_doubt = 0;      // standard deviation of beam_sd, metres: all points err alike
+  std::int32_t cloud_pass = 0;  // of the cloud; 0 when not known
+  double time = 0;              // likewise
+  float beam_sd = 0;            // of the light across the beam at the point, metres; 0: a thin ray
+  float beam_doubt = 0;         // standard deviation of beam_sd, metres: all points err alike
 };
 
 // A view is what one pass sees from one direction: errors of the poses change with both. Numbers the points by pass
