@@ -23,7 +23,7 @@ double upper_median(std::span<double> values) {
 }
 
 double upper_median_near(std::span<double> values, double guess) {
-  const double low = 0.85 * guess, high = guess / 0.85;
+  const double low = 0.65 * guess, high = 1.15 * guess;  // scales of fits shrink from step to step
   std::vector<double> near(values.size());
   std::size_t below = 0, n = 0;
   for (const double v : values) {

@@ -154,12 +154,13 @@ class Ring {
 
   CircleSums sums_at(double scale, const Circle& circle) const {
     constexpr double centre_m = 1e-6;  // nearer to it there is no direction
+    constexpr double steep = 1e12;     // times a difference and held between 0 and 1: whether it is positive
     const double by_cut = 1 / (4.685 * scale);
     CircleSums s;
     for (std::size_t i = 0; i < x_.size(); i += lanes) {
       const Lanes distance = at(distance_, i), error = distance - circle.radius,
                   rest = (1 - (error * by_cut).square()).max(0.0);
-      const Lanes w = (distance < centre_m).select(Lanes::Zero(), rest * rest);
+      const Lanes w = ((distance - centre_m) * steep).max(0.0).min(1.0) * rest.square();
       const Lanes by_distance = 1 / distance.max(centre_m), x = (circle.centre.x() - at(x_, i)) * by_distance,
                   y = (circle.centre.y() - at(y_, i)) * by_distance, wx = w * x, wy = w * y, we = w * error;
       s.xx += wx * x, s.xy += wx * y, s.yy += wy * y, s.x += wx, s.y += wy, s.w += w;

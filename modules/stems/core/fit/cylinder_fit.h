@@ -7,6 +7,8 @@
 #include <stop_token>
 #include <vector>
 
+#include "stems/core/fit/beam_depth.h"
+
 namespace bole::stems {
 
 struct BarkPoint {
@@ -117,6 +119,7 @@ class CylinderResiduals {
   Eigen::Vector3d from_axis(const BarkPoint& point) const;  // from the axis point of its view
 
   const TaperedCylinder& c_;
+  BeamDepth lit_depth_;
   Eigen::Vector3d axis_;                   // unit direction
   Eigen::Vector3d axis_by_x_, axis_by_y_;  // its derivatives by the slopes
 };
