@@ -40,14 +40,15 @@ std::uint32_t ordered_bits(float value) {
   return (bits & 0x80000000U) != 0 ? ~bits : bits | 0x80000000U;
 }
 
-// Points sorted by height: those of one height by place.
-void sort_level_points(const PointCloud::Positions& positions, std::span<std::uint32_t> sorted) {
-  for (std::size_t first = 0, last = 0; first < sorted.size(); first = last) {
-    const float z = positions[sorted[first]].z();
-    for (last = first + 1; last < sorted.size() && positions[sorted[last]].z() == z;) ++last;
-    if (last - first < 2) continue;
-    std::ranges::sort(sorted.subspan(first, last - first), {},
-                      [&](std::uint32_t i) { return std::tuple(positions[i].x(), positions[i].y(), i); });
+// Keys of a height and a point, sorted: points of one height are sorted by place.
+void sort_level_points(const PointCloud::Positions& positions, std::span<std::uint64_t> keys) {
+  for (std::size_t first = 0, last = 0; first < keys.size(); first = last) {
+    for (last = first + 1; last < keys.size() && keys[last] >> 32U == keys[first] >> 32U;) ++last;
+    if (last - first > 1)
+      std::ranges::sort(keys.subspan(first, last - first), {}, [&](std::uint64_t key) {
+        const auto i = static_cast<std::uint32_t>(key);
+        return std::tuple(positions[i].x(), positions[i].y(), i);
+      });
   }
 }
 
@@ -132,8 +133,8 @@ void PointGrid::sort_cells(const PointCloud& cloud, const Run& run) {
       for (std::uint32_t k = start_[c]; k < start_[c + 1]; ++k)
         keys.push_back((std::uint64_t{ordered_bits(positions[order_[k]].z())} << 32U) | order_[k]);
       std::sort(keys.begin(), keys.end());
+      sort_level_points(positions, keys);
       for (std::size_t k = 0; k < keys.size(); ++k) order_[start_[c] + k] = static_cast<std::uint32_t>(keys[k]);
-      sort_level_points(positions, std::span(order_).subspan(start_[c], keys.size()));
     }
   });
 }

@@ -52,6 +52,7 @@ class StemSquares {
       const auto& s = stems[k];
       const double rise = s.breast_height.z() - s.ground_z, along = std::max(rise, highest_m - rise);
       const double reach = s.radius + along * s.direction.head<2>().norm() / s.direction.z();
+      discs_.push_back({s.breast_height.head<2>(), reach});
       for (int iy = clamp_y(s.breast_height.y() - reach); iy <= clamp_y(s.breast_height.y() + reach); ++iy)
         for (int ix = clamp_x(s.breast_height.x() - reach); ix <= clamp_x(s.breast_height.x() + reach); ++ix)
           square(ix, iy).push_back(k);
@@ -82,19 +83,30 @@ class StemSquares {
     }
     if (t0 >= t1) return;
     const int steps = static_cast<int>(d.norm() * (t1 - t0) / (0.5 * cell_)) + 1;
+    const Eigen::Vector2d first = (from + t0 * d - corner_) / cell_, step = (t1 - t0) / (steps * cell_) * d;
     int last_x = -1, last_y = -1;
     for (int i = 0; i <= steps; ++i) {
-      const Eigen::Vector2d p = from + d * (t0 + (t1 - t0) * i / steps);
-      const int ix = clamp_x(p.x()), iy = clamp_y(p.y());
+      const int ix = static_cast<int>(std::clamp(first.x() + i * step.x(), 0.0, nx_ - 1.0)),
+                iy = static_cast<int>(std::clamp(first.y() + i * step.y(), 0.0, ny_ - 1.0));
       if (ix == last_x && iy == last_y) continue;
       last_x = ix, last_y = iy;
       for (const auto k :
            squares_[static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(ix)])
-        f(k);
+        if (discs_[k].meets(from, d)) f(k);
     }
   }
 
  private:
+  // The core of a stem lies within it, at all heights that are looked at.
+  struct Disc {
+    Eigen::Vector2d centre;
+    double reach;
+    bool meets(const Eigen::Vector2d& from, const Eigen::Vector2d& d) const {
+      const Eigen::Vector2d to = centre - from;
+      const double across = d.x() * to.y() - d.y() * to.x();
+      return across * across <= reach * reach * d.squaredNorm();
+    }
+  };
   int clamp_x(double x) const { return static_cast<int>(std::clamp((x - corner_.x()) / cell_, 0.0, nx_ - 1.0)); }
   int clamp_y(double y) const { return static_cast<int>(std::clamp((y - corner_.y()) / cell_, 0.0, ny_ - 1.0)); }
   std::vector<std::uint32_t>& square(int ix, int iy) {
@@ -105,6 +117,7 @@ class StemSquares {
   double cell_ = 1;
   double lowest_z_ = 0, highest_z_ = 0;  // of the cores of all stems
   int nx_ = 0, ny_ = 0;
+  std::vector<Disc> discs_;
   std::vector<std::vector<std::uint32_t>> squares_;
 };
 
