@@ -16,8 +16,6 @@ double median(std::vector<double> values);
 // The middle value, of an even number the larger of the two in the middle: always one of the values. NaN without any.
 // Reorders `values`.
 double upper_median(std::span<double> values);
-// The same where the middle is expected near `guess`: quick where it lies there.
-double upper_median_near(std::span<double> values, double guess);
 inline double upper_median(std::vector<double>&& values) { return upper_median(std::span<double>(values)); }
 
 // The 97.5 % quantile of Student's t distribution, half the width of a 95 % interval in standard deviations: 12.71 for

@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "base/quick_median.h"
+
 namespace bole {
 namespace {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "base/statistics.h"
+#include "base/quick_median.h"
 
 namespace bole::stems {
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <numbers>
 
-#include "base/statistics.h"
+#include "base/quick_median.h"
 #include "stems/core/fit/circle_fit.h"
 
 namespace bole::stems {
