@@ -2,12 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
-
-#include "base/quick_median.h"
 
 namespace bole {
 namespace {
@@ -18,24 +14,6 @@ TEST(Median, IsTheMiddleOrBetweenTheTwo) {
   EXPECT_EQ(median({4, 1, 3, 2}), 2.5);
   EXPECT_EQ(median({7}), 7);
   EXPECT_TRUE(std::isnan(median({})));
-}
-
-// The guess is for speed alone.
-TEST(Median, IsTheSameWhateverTheGuess) {
-  for (std::size_t n = 0; n < 40; ++n) {
-    std::vector<double> values;
-    for (std::size_t i = 0; i < n; ++i) values.push_back(static_cast<double>((7 * i * i + 3 * i) % 11));
-    auto sorted = values;
-    std::ranges::sort(sorted);
-    for (const double guess : {0.0, 1.0, 4.0, 5.5, 100.0, -3.0, std::nan("")}) {
-      auto copy = values;
-      const double found = upper_median_near(copy, guess);
-      if (n == 0)
-        EXPECT_TRUE(std::isnan(found));
-      else
-        EXPECT_EQ(found, sorted[n / 2]) << n << " values, guess " << guess;
-    }
-  }
 }
 
 // Printed tables.

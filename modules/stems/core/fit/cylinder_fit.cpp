@@ -7,7 +7,6 @@
 #include <map>
 #include <numbers>
 
-#include "base/quick_median.h"
 #include "stems/core/fit/circle_fit.h"
 
 namespace bole::stems {
