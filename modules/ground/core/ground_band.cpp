@@ -36,12 +36,15 @@ double lowest_strong_peak(std::span<const BandPoint> points, double half_band_m)
 
 // Scale from the points below the surface `plane` (1.4826 median |residual|), which grass does not reach.
 double scale_from_below(std::span<const BandPoint> points, const Eigen::Vector3d& plane, double most) {
-  std::vector<double> below;
+  std::vector<double> below(points.size());
+  std::size_t n = 0;
   for (const auto& p : points) {
     const double r = static_cast<double>(p.height) -
                      plane.dot(Eigen::Vector3d(1, static_cast<double>(p.dx), static_cast<double>(p.dy)));
-    if (r <= 0 && r > -most) below.push_back(-r);
+    below[n] = -r;
+    n += r <= 0 && r > -most;
   }
+  below.resize(n);
   return below.empty() ? min_sigma_m : std::clamp(1.4826 * upper_median(below), min_sigma_m, most / 3);
 }
 

@@ -4,7 +4,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
+#include <span>
 #include <tuple>
 
 #include "base/option.h"
@@ -29,6 +32,24 @@ Box bounding_box(const PointCloud::Positions& positions) {
     box.high = box.high.cwiseMax(p.head<2>());
   }
   return box;
+}
+
+// Numbers in the order of the values; both zeros are one.
+std::uint32_t ordered_bits(float value) {
+  const auto bits = std::bit_cast<std::uint32_t>(value + 0.0F);
+  return (bits & 0x80000000U) != 0 ? ~bits : bits | 0x80000000U;
+}
+
+// Keys of a height and a point, sorted: points of one height are sorted by place.
+void sort_level_points(const PointCloud::Positions& positions, std::span<std::uint64_t> keys) {
+  for (std::size_t first = 0, last = 0; first < keys.size(); first = last) {
+    for (last = first + 1; last < keys.size() && keys[last] >> 32U == keys[first] >> 32U;) ++last;
+    if (last - first > 1)
+      std::ranges::sort(keys.subspan(first, last - first), {}, [&](std::uint64_t key) {
+        const auto i = static_cast<std::uint32_t>(key);
+        return std::tuple(positions[i].x(), positions[i].y(), i);
+      });
+  }
 }
 
 }  // namespace
@@ -106,21 +127,14 @@ void PointGrid::sort_cells(const PointCloud& cloud, const Run& run) {
   const auto& positions = cloud.positions();
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, shape_.cells(), 256), [&](const auto& range) {
     run.check_cancel();
-    struct Entry {
-      float z, x, y;
-      std::uint32_t index;
-    };
-    std::vector<Entry> entries;
+    std::vector<std::uint64_t> keys;
     for (std::size_t c = range.begin(); c < range.end(); ++c) {
-      entries.clear();
-      for (std::uint32_t k = start_[c]; k < start_[c + 1]; ++k) {
-        const auto& p = positions[order_[k]];
-        entries.push_back({p.z(), p.x(), p.y(), order_[k]});
-      }
-      std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-        return a.z != b.z ? a.z < b.z : std::tie(a.x, a.y, a.index) < std::tie(b.x, b.y, b.index);
-      });
-      for (std::size_t k = 0; k < entries.size(); ++k) order_[start_[c] + k] = entries[k].index;
+      keys.clear();
+      for (std::uint32_t k = start_[c]; k < start_[c + 1]; ++k)
+        keys.push_back((std::uint64_t{ordered_bits(positions[order_[k]].z())} << 32U) | order_[k]);
+      std::sort(keys.begin(), keys.end());
+      sort_level_points(positions, keys);
+      for (std::size_t k = 0; k < keys.size(); ++k) order_[start_[c] + k] = static_cast<std::uint32_t>(keys[k]);
     }
   });
 }

@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -72,8 +73,14 @@ class TerrainFitter {
     const Eigen::Vector2f centre = shape_.centre(ix, iy).cast<float>(), slope = gradient(ix, iy);
     const auto band = static_cast<float>(scales_.band);
     const auto& positions = cloud_.positions();
-    for (const auto i : grid_.points(cell)) {
-      const auto& p = positions[i];
+    // The points of a cell are in the order of their heights: those that can be near are read alone.
+    const float half = static_cast<float>(shape_.cell_m) * slope.cwiseAbs().sum(), rounding = 1e-3F;
+    const auto points = grid_.points(cell);
+    const auto height = [&](std::uint32_t i) { return positions[i].z(); };
+    for (auto it = std::ranges::lower_bound(points, prior_[cell] - half - band - rounding, {}, height);
+         it != points.end(); ++it) {
+      const auto& p = positions[*it];
+      if (p.z() > prior_[cell] + half + band + rounding) break;
       const float surface = prior_[cell] + slope.dot(p.head<2>() - centre);
       if (std::abs(p.z() - surface) <= band) out.push_back({p.x(), p.y(), p.z()});
     }

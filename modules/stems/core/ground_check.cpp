@@ -1,6 +1,9 @@
 #include "stems/core/ground_check.h"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -37,11 +40,17 @@ struct Foot {
   int ground_points = 0;  // beside the stem
   std::array<int, bins> bark{};
   std::vector<double> at_foot;  // of the lowest points: distances from the axis, up to two radii
+
+  void add(const Foot& o) {
+    ground_points += o.ground_points;
+    for (std::size_t b = 0; b < bins; ++b) bark[b] += o.bark[b];
+    at_foot.insert(at_foot.end(), o.at_foot.begin(), o.at_foot.end());
+  }
 };
 
 class FeetFinder {
  public:
-  FeetFinder(const std::vector<Stem>& stems, const PointCloud& points) : points_(points), feet_(stems.size()) {
+  FeetFinder(const std::vector<Stem>& stems, const PointCloud& points) : points_(points) {
     for (std::size_t k = 0; k < stems.size(); ++k) {
       axes_.emplace_back(stems[k]);
       const Eigen::Vector2d at = axes_.back().at(stems[k].ground_z);
@@ -51,39 +60,45 @@ class FeetFinder {
     }
   }
 
-  std::vector<Foot> find(const Run& run) {
+  std::vector<Foot> find(const Run& run) const {
     const auto& height = points_.values<float>(arrays::height_above_ground);
     const auto* classes =
         points_.has(arrays::classification) ? &points_.values<std::uint8_t>(arrays::classification) : nullptr;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      if (i % (std::size_t{1} << 20) == 0) run.check_cancel();
-      const auto h = static_cast<double>(height[i]);
-      if (!(h >= lowest_m && h < lowest_m + bin_m * bins)) continue;
-      const bool ground = classes ? (*classes)[i] == 2 : std::abs(h) <= ground_m;
-      look(points_.positions()[i].cast<double>(), h, ground);
-    }
-    return std::move(feet_);
+    tbb::enumerable_thread_specific<std::vector<Foot>> seen([&] { return std::vector<Foot>(axes_.size()); });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, points_.size(), 1 << 17), [&](const auto& range) {
+      run.check_cancel();
+      auto& feet = seen.local();
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        const auto h = static_cast<double>(height[i]);
+        if (!(h >= lowest_m && h < lowest_m + bin_m * bins)) continue;
+        const bool ground = classes ? (*classes)[i] == 2 : std::abs(h) <= ground_m;
+        look(points_.positions()[i].cast<double>(), h, ground, feet);
+      }
+    });
+    std::vector<Foot> feet(axes_.size());
+    for (const auto& part : seen)
+      for (std::size_t k = 0; k < feet.size(); ++k) feet[k].add(part[k]);
+    return feet;
   }
 
  private:
   static int tile(double x) { return static_cast<int>(std::floor(x / tile_m)); }
 
-  void look(const Eigen::Vector3d& p, double h, bool ground) {
+  void look(const Eigen::Vector3d& p, double h, bool ground, std::vector<Foot>& feet) const {
     const auto it = stems_at_.find({tile(p.x()), tile(p.y())});
     if (it == stems_at_.end()) return;
     for (const auto k : it->second) {
       const double beside = (p.head<2>() - axes_[k].at(p.z())).norm() - axes_[k].radius;
-      if (h >= 0 && h < foot_m && beside < axes_[k].radius) feet_[k].at_foot.push_back(beside + axes_[k].radius);
+      if (h >= 0 && h < foot_m && beside < axes_[k].radius) feet[k].at_foot.push_back(beside + axes_[k].radius);
       if (std::abs(beside) <= bark_m)
-        ++feet_[k].bark[std::min(bins - 1, static_cast<std::size_t>((h - lowest_m) / bin_m))];
+        ++feet[k].bark[std::min(bins - 1, static_cast<std::size_t>((h - lowest_m) / bin_m))];
       else if (ground && beside > 0 && beside <= look_around_m)
-        ++feet_[k].ground_points;
+        ++feet[k].ground_points;
     }
   }
 
   std::vector<TreeAxis> axes_;
   const PointCloud& points_;
-  std::vector<Foot> feet_;
   std::map<std::pair<int, int>, std::vector<std::size_t>> stems_at_;
 };
 

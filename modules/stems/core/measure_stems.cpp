@@ -1,12 +1,15 @@
 #include "stems/core/measure_stems.h"
 
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <thread>
 #include <utility>
 
 #include "cloud/large_cloud.h"
@@ -142,18 +145,22 @@ class Survey {
     rays_ = rays_of(points_, trajectory_, layer_, run_);
   }
 
-  // Calls f(i) in threads for i below n, in batches: progress comes from this thread alone, between them.
+  // Calls f(i) in threads for i below n. Progress comes from this thread alone, whenever a stem is its own.
   template <class F>
-  void in_batches(double from, double to, std::size_t n, F&& f) {
-    constexpr std::size_t batch = 16;
-    for (std::size_t first = 0; first < n; first += batch) {
-      run_.report(from + (to - from) * static_cast<double>(first) / static_cast<double>(n),
-                  fmt::format("stem {} of {}", first + 1, n));
-      tbb::parallel_for(first, std::min(first + batch, n), [&](std::size_t i) {
-        if (!run_.cancelled()) f(i);
-      });
-      run_.check_cancel();
-    }
+  void for_each_fit(double from, double to, std::size_t n, F&& f) {
+    const auto here = std::this_thread::get_id();
+    std::atomic<std::size_t> begun = 0;
+    const auto one = [&](const tbb::blocked_range<std::size_t>& range) {
+      for (auto i = range.begin(); i != range.end() && !run_.cancelled(); ++i) {
+        const std::size_t number = ++begun;
+        if (std::this_thread::get_id() == here)
+          run_.report(from + (to - from) * static_cast<double>(number - 1) / static_cast<double>(n),
+                      fmt::format("stem {} of {}", number, n));
+        f(i);
+      }
+    };
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, n, 1), one, tbb::simple_partitioner());
+    run_.check_cancel();
   }
 
   // Where a candidate turned out to be no stem, what it had left no room for gets its chance.
@@ -176,7 +183,7 @@ class Survey {
   void fit_all(const ProjectPriors& priors) {
     tried_ += candidates_.size();
     std::vector<StemFitResult> fits(candidates_.size());
-    in_batches(0.30, 0.60, candidates_.size(), [&](std::size_t i) {
+    for_each_fit(0.30, 0.60, candidates_.size(), [&](std::size_t i) {
       fits[i] = fit_stem(candidates_[i], layer_, rays_, dem_, points_.origin, breast_height_, priors, options_, run_);
     });
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
@@ -227,7 +234,7 @@ class Survey {
 
   // What is no stem after the first round needs no second.
   void refit_all(const ProjectPriors& priors, std::size_t first = 0) {
-    in_batches(0.65, 0.80, fitted_.size() - first, [&](std::size_t i) {
+    for_each_fit(0.65, 0.80, fitted_.size() - first, [&](std::size_t i) {
       auto& s = fitted_[first + i];
       if (hopeless(s)) return;
       auto again = refit_stem(s, layer_, rays_, dem_, points_.origin, breast_height_, priors, options_, run_);

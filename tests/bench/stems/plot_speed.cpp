@@ -1,11 +1,12 @@
-// plot_speed cloud=FILE [copies=N] [bare=yes] [threads=N] [cancel=N] [option=value ...] From a file to the stem table,
-// as pipelines/stem_map_from_cloud.json goes: wall clock, processor time, points per second and peak memory of each
-// stage. `copies` lays the cloud N times beside itself, for the memory of large plots; `bare` drops all columns but
-// intensity, as most clouds of other makers come. Heights, classes and labels of the file are dropped in any case.
-// Where the machine is busy the processor time by the number of threads tells what an idle one would take. Options are
-// those of stems.measure. `cancel` measures the stems N times more, cancelled at moments spread over the time of the
-// first, and prints how long each took to end. Not a Google Benchmark: a run of minutes is not repeated until it
-// settles.
+// plot_speed cloud=FILE [copies=N] [bare=yes] [threads=N] [cancel=N] [steps=yes] [table=FILE] [option=value ...] From a
+// file to the stem table, as pipelines/stem_map_from_cloud.json goes: wall clock, processor time, points per second and
+// peak memory of each stage. `copies` lays the cloud N times beside itself, for the memory of large plots; `bare` drops
+// all columns but intensity, as most clouds of other makers come. Heights, classes and labels of the file are dropped
+// in any case. Where the machine is busy the processor time by the number of threads tells what an idle one would take.
+// Options are those of stems.measure. `cancel` measures the stems N times more, cancelled at moments spread over the
+// time of the first, and prints how long each took to end. `steps` prints the seconds between the words of progress of
+// the stems too, and `table` writes the stems and the rejected with all digits, to compare two programs. Not a Google
+// Benchmark: a run of minutes is not repeated until it settles.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <tbb/global_control.h>
@@ -82,6 +83,46 @@ class Clock {
   }
   double wall_ = 0, processor_ = 0, most_mib_ = 0;
 };
+
+// What a stage takes between the words of its progress; numbers in them do not count.
+class Steps {
+ public:
+  void begin(std::string_view words) {
+    end();
+    step_ = std::string(words.substr(0, words.find_first_of("0123456789")));
+  }
+  void print() {
+    end();
+    for (const auto& [step, time] : times_)
+      fmt::print("|   {} | {:.2f} | {:.2f} | | |\n", step, time.first, time.second);
+  }
+
+ private:
+  void end() {
+    const auto now = std::chrono::steady_clock::now();
+    const double processor = processor_s();
+    auto at = std::ranges::find(times_, step_, [](const auto& t) { return t.first; });
+    if (at == times_.end()) at = times_.insert(at, {step_, {0, 0}});
+    at->second.first += std::chrono::duration<double>(now - start_).count(), at->second.second += processor - used_;
+    start_ = now, used_ = processor;
+  }
+  std::string step_ = "start";
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double used_ = processor_s();
+  std::vector<std::pair<std::string, std::pair<double, double>>> times_;  // wall clock and processor
+};
+
+void write_table(const std::string& file, const stems::StemSurvey& survey) {
+  std::ofstream out(file);
+  for (const auto& s : survey.stems)
+    out << fmt::format("stem {} {:.9f} {:.9f} {:.9f} dbh {:.9f} {:.9f} {:.9f} height {:.6f} volume {:.9f} {} {} {}\n",
+                       s.id, s.breast_height.x(), s.breast_height.y(), s.breast_height.z(), 200 * s.radius,
+                       200 * s.radius_low, 200 * s.radius_high, s.height_m, s.volume_m3, s.quality, s.state,
+                       stems::joined(s.reasons));
+  for (const auto& r : survey.rejected)
+    out << fmt::format("rejected {:.6f} {:.6f} {:.6f} {} {}\n", r.position.x(), r.position.y(), 100 * r.dbh_m, r.points,
+                       r.reason);
+}
 
 // Seconds of wall clock and of the processor from a cancel, `after_s` into the measurement, to its end; less than zero
 // where it had ended before.
@@ -171,7 +212,8 @@ PointCloud beside_itself(PointCloud cloud, int copies, bool bare) {
 int run(int argc, char** argv) {
   std::string file;
   int copies = 1, threads = 2, cancels = 0;
-  bool bare = false;
+  bool bare = false, steps = false;
+  std::string table;
   OptionSet options(option_table(static_cast<const stems::MeasureOptions*>(nullptr)));
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i], name = argument.substr(0, argument.find('=')),
@@ -184,6 +226,10 @@ int run(int argc, char** argv) {
       threads = std::stoi(value);
     else if (name == "cancel")
       cancels = std::stoi(value);
+    else if (name == "table")
+      table = value;
+    else if (name == "steps")
+      steps = value == "yes";
     else if (name == "bare")
       bare = value == "yes";
     else
@@ -208,9 +254,14 @@ int run(int argc, char** argv) {
                                 run);
   };
   const auto start = std::chrono::steady_clock::now();
-  const auto survey = clock.time("stems", n, [&] { return measure({}); });
+  Steps taken;
+  Run watched;
+  if (steps) watched.progress = [&](double, std::string_view words) { taken.begin(words); };
+  const auto survey = clock.time("stems", n, [&] { return measure(watched); });
+  if (steps) taken.print();
   const double whole_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   clock.total(n);
+  if (!table.empty()) write_table(table, survey);
   fmt::print("\n{:.1f} million points, {} threads: {} stems\n", 1e-6 * static_cast<double>(n), threads,
              survey.stems.size());
   print_cancels(cancels, whole_s, [&](const Run& run) { measure(run); });

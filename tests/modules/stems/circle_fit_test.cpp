@@ -2,11 +2,32 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <random>
+#include <vector>
 
 namespace bole::stems {
 namespace {
+
+// The guess is for speed alone.
+TEST(QuickMedian, IsTheSameWhateverTheGuess) {
+  for (std::size_t n = 0; n < 40; ++n) {
+    std::vector<double> values;
+    for (std::size_t i = 0; i < n; ++i) values.push_back(static_cast<double>((7 * i * i + 3 * i) % 11));
+    auto sorted = values;
+    std::ranges::sort(sorted);
+    for (const double guess : {0.0, 1.0, 4.0, 5.5, 100.0, -3.0, std::nan("")}) {
+      auto copy = values;
+      const double found = upper_median_near(copy, guess);
+      if (n == 0)
+        EXPECT_TRUE(std::isnan(found));
+      else
+        EXPECT_EQ(found, sorted[n / 2]) << n << " values, guess " << guess;
+    }
+  }
+}
 
 std::vector<Eigen::Vector2d> ring(const Circle& c, double from, double to, int n, double noise, unsigned seed) {
   std::mt19937 random(seed);

@@ -41,26 +41,37 @@ class StemSquares {
     for (const auto& s : stems)
       low = low.cwiseMin(s.breast_height.head<2>()), high = high.cwiseMax(s.breast_height.head<2>());
     corner_ = low.array() - 2;
-    cell_ = std::max(0.5, (high - low).maxCoeff() / 2000);
+    cell_ = std::max(1.0, (high - low).maxCoeff() / 2000);
     nx_ = static_cast<int>((high.x() + 2 - corner_.x()) / cell_) + 1,
     ny_ = static_cast<int>((high.y() + 2 - corner_.y()) / cell_) + 1;
     squares_.resize(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_));
+    lowest_z_ = std::numeric_limits<double>::infinity(), highest_z_ = -lowest_z_;
+    for (const auto& s : stems)
+      lowest_z_ = std::min(lowest_z_, s.ground_z + lowest_m), highest_z_ = std::max(highest_z_, s.ground_z + highest_m);
     for (std::uint32_t k = 0; k < stems.size(); ++k) {
       const auto& s = stems[k];
       const double rise = s.breast_height.z() - s.ground_z, along = std::max(rise, highest_m - rise);
       const double reach = s.radius + along * s.direction.head<2>().norm() / s.direction.z();
+      discs_.push_back({s.breast_height.head<2>(), reach});
       for (int iy = clamp_y(s.breast_height.y() - reach); iy <= clamp_y(s.breast_height.y() + reach); ++iy)
         for (int ix = clamp_x(s.breast_height.x() - reach); ix <= clamp_x(s.breast_height.x() + reach); ++ix)
           square(ix, iy).push_back(k);
     }
   }
 
-  // Calls f(stem) for stems along the ground track of the segment; a stem may be met more than once in a row of
-  // squares.
+  // Calls f(stem) for stems along the ground track of the segment, where it passes at the height of some stem's core; a
+  // stem may be met more than once in a row of squares.
   template <class F>
-  void along(const Eigen::Vector2d& from, const Eigen::Vector2d& to, F&& f) const {
-    const Eigen::Vector2d d = to - from;
+  void along(const Eigen::Vector3d& start, const Eigen::Vector3d& end, F&& f) const {
+    const Eigen::Vector2d from = start.head<2>(), d = end.head<2>() - from;
     double t0 = 0, t1 = 1;
+    const double rise = end.z() - start.z();
+    if (const double beside = cell_ / std::max(1e-9, d.norm()); std::abs(rise) > 1e-9) {
+      const double a = (lowest_z_ - start.z()) / rise, b = (highest_z_ - start.z()) / rise;
+      t0 = std::max(t0, std::min(a, b) - beside), t1 = std::min(t1, std::max(a, b) + beside);
+    } else if (start.z() < lowest_z_ || start.z() > highest_z_) {
+      return;
+    }
     for (int k = 0; k < 2; ++k) {  // clip to the squares
       const double low = corner_[k], high = corner_[k] + (k == 0 ? nx_ : ny_) * cell_;
       if (std::abs(d[k]) < 1e-12) {
@@ -72,19 +83,30 @@ class StemSquares {
     }
     if (t0 >= t1) return;
     const int steps = static_cast<int>(d.norm() * (t1 - t0) / (0.5 * cell_)) + 1;
+    const Eigen::Vector2d first = (from + t0 * d - corner_) / cell_, step = (t1 - t0) / (steps * cell_) * d;
     int last_x = -1, last_y = -1;
     for (int i = 0; i <= steps; ++i) {
-      const Eigen::Vector2d p = from + d * (t0 + (t1 - t0) * i / steps);
-      const int ix = clamp_x(p.x()), iy = clamp_y(p.y());
+      const int ix = static_cast<int>(std::clamp(first.x() + i * step.x(), 0.0, nx_ - 1.0)),
+                iy = static_cast<int>(std::clamp(first.y() + i * step.y(), 0.0, ny_ - 1.0));
       if (ix == last_x && iy == last_y) continue;
       last_x = ix, last_y = iy;
       for (const auto k :
            squares_[static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx_) + static_cast<std::size_t>(ix)])
-        f(k);
+        if (discs_[k].meets(from, d)) f(k);
     }
   }
 
  private:
+  // The core of a stem lies within it, at all heights that are looked at.
+  struct Disc {
+    Eigen::Vector2d centre;
+    double reach;
+    bool meets(const Eigen::Vector2d& from, const Eigen::Vector2d& d) const {
+      const Eigen::Vector2d to = centre - from;
+      const double across = d.x() * to.y() - d.y() * to.x();
+      return across * across <= reach * reach * d.squaredNorm();
+    }
+  };
   int clamp_x(double x) const { return static_cast<int>(std::clamp((x - corner_.x()) / cell_, 0.0, nx_ - 1.0)); }
   int clamp_y(double y) const { return static_cast<int>(std::clamp((y - corner_.y()) / cell_, 0.0, ny_ - 1.0)); }
   std::vector<std::uint32_t>& square(int ix, int iy) {
@@ -92,8 +114,10 @@ class StemSquares {
   }
 
   Eigen::Vector2d corner_;
-  double cell_ = 0.5;
+  double cell_ = 1;
+  double lowest_z_ = 0, highest_z_ = 0;  // of the cores of all stems
   int nx_ = 0, ny_ = 0;
+  std::vector<Disc> discs_;
   std::vector<std::vector<std::uint32_t>> squares_;
 };
 
@@ -137,8 +161,9 @@ std::vector<RayCount> count_rays(const std::vector<Stem>& stems, const PointClou
           const Eigen::Vector3d from = sensor->cast<double>(), to = p.cast<double>();
           met.clear();
           // One step further, so that a ray stopped at the near side meets the stem's square.
-          const Eigen::Vector2d direction = (to - from).head<2>().normalized();
-          squares.along(from.head<2>(), to.head<2>() + 0.5 * direction, [&](std::uint32_t k) {
+          const Eigen::Vector3d d = to - from;
+          const double beyond = 0.5 / std::max(1e-9, d.head<2>().norm());
+          squares.along(from, to + std::min(beyond, 1.0) * d, [&](std::uint32_t k) {
             if (std::ranges::find(met, k) != met.end()) return;
             met.push_back(k);
             const auto meeting = meet(stems[k], from, to);

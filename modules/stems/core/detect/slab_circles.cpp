@@ -43,6 +43,36 @@ struct Score {
 
 constexpr int sector_count = 18;
 
+// Which sector around a circle's centre a difference lies in, counted from the negative x axis. Angles are not needed:
+// what replaces them grows with them by four a turn, and a step of the table holds no more than one limit of a sector.
+class SectorTable {
+ public:
+  SectorTable() {
+    std::size_t sector = 0;
+    for (std::size_t k = 0; k < steps; ++k) {
+      first_[k] = static_cast<std::uint8_t>(sector), limit_[k] = 5;
+      const double next = 2 * std::numbers::pi * static_cast<double>(sector + 1) / sector_count - std::numbers::pi;
+      const auto turned = turned_by(static_cast<float>(std::cos(next)), static_cast<float>(std::sin(next)));
+      if (sector + 1 < sector_count && turned < static_cast<float>(k + 1) / by_step) limit_[k] = turned, ++sector;
+    }
+  }
+  unsigned operator()(float dx, float dy) const {
+    const float turned = turned_by(dx, dy);
+    const auto k = std::min(steps - 1, static_cast<std::size_t>(turned * by_step));
+    return first_[k] + static_cast<unsigned>(turned >= limit_[k]);
+  }
+
+ private:
+  static constexpr std::size_t steps = 64;
+  static constexpr float by_step = steps / 4.F;
+  static float turned_by(float dx, float dy) {
+    const float share = dx / std::max(1e-30F, std::abs(dx) + std::abs(dy));
+    return dy < 0 ? 1 + share : 3 - share;
+  }
+  std::array<std::uint8_t, steps> first_{};
+  std::array<float, steps> limit_{};
+};
+
 float ring_tolerance(float radius) { return std::clamp(0.12F * radius, 0.018F, 0.04F); }
 
 // The voxels of one slab, projected to the ground: one per column, by cell of the layer's grid.
@@ -169,12 +199,12 @@ Score score_circle(const SlabGrid& slab, const Ring& ring, double beat) {
     }
   });
   if (s.most() <= beat) return s;
+  static const SectorTable sector_of;
   const float inner = ring.radius - ring.tolerance;
   slab.for_each_near(ring.x, ring.y, ring.outer, [&](std::uint32_t k) {
     const float dx = slab[k].x - ring.x, dy = slab[k].y - ring.y, d2 = dx * dx + dy * dy;
     if (d2 > ring.outer * ring.outer || (inner > 0 && d2 <= inner * inner)) return;
-    const auto sector = static_cast<int>((std::atan2(dy, dx) / std::numbers::pi_v<float> + 1) * 0.5F * sector_count);
-    s.sectors |= 1U << static_cast<unsigned>(std::clamp(sector, 0, sector_count - 1));
+    s.sectors |= 1U << sector_of(dx, dy);
   });
   return s;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -69,58 +70,88 @@ std::vector<GroundRange> ground_by_cell(const VoxelLayer& thin) {
 
 class UprightTest {
  public:
-  UprightTest(const StemLayer& grid, const VoxelLayer& thin)
-      : grid_(grid), thin_(thin), ground_(ground_by_cell(thin)) {}
+  UprightTest(const StemLayer& grid, const VoxelLayer& thin) : grid_(grid), thin_(thin), ground_(ground_by_cell(thin)) {
+    const std::size_t filled = thin.voxels.size() + lanes;  // whole lanes are read
+    x_.resize(filled), y_.resize(filled), z_.resize(filled);
+    for (std::size_t i = 0; i < thin.voxels.size(); ++i)
+      x_[i] = thin.voxels[i].x, y_[i] = thin.voxels[i].y, z_[i] = thin.voxels[i].z;
+  }
 
   bool operator()(const Voxel& v) const {
-    constexpr int enough = 8;
-    int n = 0;
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-    Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
-    for_each_near(v, [&](const Voxel& o) {
-      const Eigen::Vector3f d(o.x - v.x, o.y - v.y, o.z - v.z);
-      if (d.squaredNorm() > reach * reach) return;
-      ++n, sum += d, squares += d * d.transpose();
-    });
+    constexpr float enough = 8;
+    const Moments near = moments_about(v);
+    const float n = near.n.sum();
     if (n < enough) return true;
-    const Eigen::Matrix3f covariance =
-        squares / static_cast<float>(n) - (sum / static_cast<float>(n)) * (sum / static_cast<float>(n)).transpose();
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3f> solver;
-    solver.computeDirect(covariance);
+    solver.computeDirect(near.covariance(n));
     return std::abs(solver.eigenvectors()(2, 0)) < 0.6F;
   }
 
  private:
   static constexpr float reach = 0.10F;
   static constexpr float steepest = 3;  // heights of neighbours differ by more only on ground steeper than 60 degrees
+  static constexpr std::size_t lanes = 8;
+  using Lanes = Eigen::Array<float, lanes, 1>;
+
+  // Of the differences between v and its neighbours, eight neighbours at a time.
+  struct Moments {
+    Lanes n = Lanes::Zero(), x = n, y = n, z = n, xx = n, xy = n, xz = n, yy = n, yz = n, zz = n;
+
+    void add(const Lanes& dx, const Lanes& dy, const Lanes& dz, const Lanes& share) {
+      constexpr float steep = 1e12F;  // times a difference and held between 0 and 1: whether it is positive
+      const Lanes d2 = dx * dx + dy * dy + dz * dz, within = ((reach * reach - d2) * steep).max(0.F).min(1.F) * share;
+      const Lanes wx = within * dx, wy = within * dy, wz = within * dz;
+      n += within, x += wx, y += wy, z += wz;
+      xx += wx * dx, xy += wx * dy, xz += wx * dz, yy += wy * dy, yz += wy * dz, zz += wz * dz;
+    }
+    Eigen::Matrix3f covariance(float count) const {
+      const Eigen::Vector3f mean = Eigen::Vector3f(x.sum(), y.sum(), z.sum()) / count;
+      Eigen::Matrix3f squares;
+      squares << xx.sum(), xy.sum(), xz.sum(), xy.sum(), yy.sum(), yz.sum(), xz.sum(), yz.sum(), zz.sum();
+      return squares / count - mean * mean.transpose();
+    }
+  };
+
+  void add(const Voxel& v, std::size_t first, std::size_t last, Moments& moments) const {
+    static constexpr std::array<float, 2 * lanes> shares{1, 1, 1, 1, 1, 1, 1, 1};
+    using Values = Eigen::Map<const Lanes>;
+    for (std::size_t i = first; i < last; i += lanes) {
+      const std::size_t beyond = last - i < lanes ? lanes - (last - i) : 0;
+      moments.add(Values(x_.data() + i) - v.x, Values(y_.data() + i) - v.y, Values(z_.data() + i) - v.z,
+                  Values(shares.data() + beyond));
+    }
+  }
 
   // Voxels of the cells around v that can be within reach: those of a cell are in the order of their height steps, and
   // how far the ground of the cell lies from that of v tells the heights that are as high as v.
-  template <class F>
-  void for_each_near(const Voxel& v, F&& f) const {
+  Moments moments_about(const Voxel& v) const {
     constexpr auto step = static_cast<float>(thin_voxel_height_m), rounding = 1e-3F;
     const int x0 = grid_.cell_x(v.x - reach), x1 = grid_.cell_x(v.x + reach), y0 = grid_.cell_y(v.y - reach),
               y1 = grid_.cell_y(v.y + reach);
+    Moments moments;
+    const auto begin = thin_.voxels.begin();
     for (int iy = y0; iy <= y1; ++iy)
       for (int ix = x0; ix <= x1; ++ix) {
         const auto cell =
             static_cast<std::size_t>(iy) * static_cast<std::size_t>(grid_.nx) + static_cast<std::size_t>(ix);
-        const auto *first = thin_.voxels.data() + thin_.start[cell],
-                   *last = thin_.voxels.data() + thin_.start[cell + 1];
         const auto& ground = ground_[cell];
         const float lowest = std::max(v.height - steepest * reach, v.z - reach - ground.high),
                     highest = std::min(v.height + steepest * reach, v.z + reach - ground.low);
         const float from = std::floor(lowest / step) * step - rounding,
                     to = (std::floor(highest / step) + 1) * step + rounding;
-        for (const auto* o = std::partition_point(first, last, [&](const Voxel& w) { return w.height < from; });
-             o != last && o->height <= to; ++o)
-          f(*o);
+        const auto end = begin + thin_.start[cell + 1];
+        const auto first = std::partition_point(begin + thin_.start[cell], end,
+                                                [&](const Voxel&w) { return w.height < from; }),
+                   last = std::find_if(first, end, [&](const Voxel&w) { return w.height > to; });
+        add(v, static_cast<std::size_t>(first - begin), static_cast<std::size_t>(last - begin), moments);
       }
+    return moments;
   }
 
   const StemLayer& grid_;
   const VoxelLayer& thin_;
   std::vector<GroundRange> ground_;
+  std::vector<float> x_, y_, z_;  // of the voxels
 };
 
 }  // namespace

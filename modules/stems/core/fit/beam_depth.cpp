@@ -8,8 +8,7 @@
 namespace bole::stems {
 namespace {
 
-constexpr int impact_steps = 320, width_steps = 60;
-constexpr double impact_step = max_lit_impact2 / impact_steps, width_step = max_lit_width / width_steps;
+using depth_grid::impact_step, depth_grid::impact_steps, depth_grid::width_step, depth_grid::width_steps;
 
 // Mean depth by the substitution x = sin(t): the cosine of incidence is cos(t), and so is the depth.
 double mean_depth(double impact, double width) {
@@ -27,8 +26,6 @@ double mean_depth(double impact, double width) {
   return sum > 0 ? moment / sum : 0;
 }
 
-double ray_depth(double impact2) { return std::sqrt(std::max(0.0, 1 - impact2)); }
-
 // Depth by width, then by impact squared.
 std::vector<double> make_table() {
   std::vector<double> table;
@@ -41,22 +38,9 @@ std::vector<double> make_table() {
 
 }  // namespace
 
-LitDepth lit_depth(double impact2, double width) {
-  if (width <= 0) {
-    const double depth = ray_depth(impact2);
-    return {depth, depth > 0 ? -0.5 / depth : 0, 0};
-  }
+const std::vector<double>& depth_table() {
   static const std::vector<double> table = make_table();
-  constexpr double by_impact_step = 1 / impact_step, by_width_step = 1 / width_step;
-  const double q = std::clamp(impact2 * by_impact_step, 0.0, impact_steps - 1e-9),
-               w = std::min(width * by_width_step, width_steps - 1e-9);
-  const auto iq = static_cast<std::size_t>(q), iw = static_cast<std::size_t>(w);
-  const double fq = q - static_cast<double>(iq), fw = w - static_cast<double>(iw);
-  const auto* low = table.data() + iw * (impact_steps + 1) + iq;
-  const auto* high = low + impact_steps + 1;
-  const double a = low[0] + fq * (low[1] - low[0]), b = high[0] + fq * (high[1] - high[0]);
-  return {a + fw * (b - a), ((1 - fw) * (low[1] - low[0]) + fw * (high[1] - high[0])) * by_impact_step,
-          (b - a) * by_width_step};
+  return table;
 }
 
 }  // namespace bole::stems

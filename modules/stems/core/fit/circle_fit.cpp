@@ -11,6 +11,21 @@
 
 namespace bole::stems {
 
+double upper_median_near(std::span<double> values, double guess) {
+  const double low = 0.65 * guess, high = 1.15 * guess;  // scales of fits shrink from step to step
+  std::vector<double> near(values.size());
+  std::size_t below = 0, n = 0;
+  for (const double v : values) {
+    near[n] = v;
+    n += v >= low && v < high, below += v < low;
+  }
+  const std::size_t middle = values.size() / 2;
+  if (middle < below || middle >= below + n) return upper_median(values);
+  const auto at = near.begin() + static_cast<std::ptrdiff_t>(middle - below);
+  std::nth_element(near.begin(), at, near.begin() + static_cast<std::ptrdiff_t>(n));
+  return *at;
+}
+
 double tukey_weight(double scaled_residual) {
   const double u = scaled_residual / 4.685;
   return std::abs(u) >= 1 ? 0 : (1 - u * u) * (1 - u * u);
@@ -87,40 +102,50 @@ std::optional<Circle> hyper_circle(const std::vector<Eigen::Vector2d>& points, c
 
 namespace {
 
+// Four points at a time.
+using Lanes = Eigen::Array4d;
+constexpr std::size_t lanes = 4;
+
+// What a weighted step of the geometric fit sums over the points: w j j^T and w residual j with j = (x, y, -1).
+struct CircleSums {
+  Lanes xx = Lanes::Zero(), xy = xx, yy = xx, x = xx, y = xx, w = xx, ex = xx, ey = xx, e = xx;
+
+  Eigen::Matrix3d normal() const {
+    Eigen::Matrix3d n;
+    n << xx.sum(), xy.sum(), -x.sum(), xy.sum(), yy.sum(), -y.sum(), -x.sum(), -y.sum(), w.sum();
+    return n;
+  }
+  Eigen::Vector3d rhs() const { return {-ex.sum(), -ey.sum(), e.sum()}; }
+};
+
 // The points of a circle fit and their distances from its present centre, by coordinate.
 class Ring {
  public:
-  Ring(const std::vector<Eigen::Vector2d>& points, const Circle& circle) {
-    x_.reserve(points.size()), y_.reserve(points.size());
+  Ring(const std::vector<Eigen::Vector2d>& points, const Circle& circle) : size_(points.size()) {
+    constexpr double far_away_m = 1e6;  // what fills the last lanes has no weight
+    const std::size_t filled = (size_ + lanes - 1) / lanes * lanes;
+    x_.reserve(filled), y_.reserve(filled);
     for (const auto& p : points) x_.push_back(p.x()), y_.push_back(p.y());
-    distance_.resize(points.size());
+    x_.resize(filled, circle.centre.x() + far_away_m), y_.resize(filled, circle.centre.y());
+    distance_.resize(filled);
     look_from(circle.centre);
   }
 
   void look_from(const Eigen::Vector2d& centre) {
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      const double dx = x_[i] - centre.x(), dy = y_[i] - centre.y();
-      distance_[i] = std::sqrt(dx * dx + dy * dy);
-    }
+    for (std::size_t i = 0; i < x_.size(); i += lanes)
+      Eigen::Map<Lanes>(distance_.data() + i) =
+          ((at(x_, i) - centre.x()).square() + (at(y_, i) - centre.y()).square()).sqrt();
   }
 
   // One weighted Gauss-Newton step of the geometric fit from the circle looked from last; false when the geometry is
   // degenerate.
   bool improve(double scale, Circle& circle) {
-    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
-    Eigen::Vector3d rhs = Eigen::Vector3d::Zero();
-    for (std::size_t i = 0; i < x_.size(); ++i) {
-      const double distance = distance_[i];
-      if (distance < 1e-6) continue;
-      const double residual = distance - circle.radius, w = tukey_weight(residual / scale);
-      if (w == 0) continue;
-      const Eigen::Vector3d j((circle.centre.x() - x_[i]) / distance, (circle.centre.y() - y_[i]) / distance, -1);
-      normal += w * j * j.transpose(), rhs -= w * residual * j;
-    }
+    const CircleSums sums = sums_at(scale, circle);
+    Eigen::Matrix3d normal = sums.normal();
     normal.diagonal().array() += 1e-9 * normal.trace();
     const Eigen::LDLT<Eigen::Matrix3d> solver(normal);
     if (solver.info() != Eigen::Success || !(normal.trace() > 0)) return false;
-    Eigen::Vector3d step = solver.solve(rhs);
+    Eigen::Vector3d step = solver.solve(sums.rhs());
     if (!step.allFinite()) return false;
     const double longest = 0.5 * circle.radius + 0.01;
     if (step.norm() > longest) step *= longest / step.norm();
@@ -131,15 +156,37 @@ class Ring {
 
   double robust_scale(const Circle& circle, double reach) {
     errors_.clear();
-    for (const double distance : distance_)
-      if (const double e = std::abs(distance - circle.radius); e < reach) errors_.push_back(e);
-    return 1.4826 * upper_median(errors_);
+    for (std::size_t i = 0; i < size_; ++i)
+      if (const double e = std::abs(distance_[i] - circle.radius); e < reach) errors_.push_back(e);
+    middle_ = upper_median_near(errors_, middle_);
+    return 1.4826 * middle_;
   }
 
-  const std::vector<double>& distance() const { return distance_; }
-
  private:
+  static Eigen::Map<const Lanes> at(const std::vector<double>& v, std::size_t i) {
+    return Eigen::Map<const Lanes>(v.data() + i);
+  }
+
+  CircleSums sums_at(double scale, const Circle& circle) const {
+    constexpr double centre_m = 1e-6;  // nearer to it there is no direction
+    constexpr double steep = 1e12;     // times a difference and held between 0 and 1: whether it is positive
+    const double by_cut = 1 / (4.685 * scale);
+    CircleSums s;
+    for (std::size_t i = 0; i < x_.size(); i += lanes) {
+      const Lanes distance = at(distance_, i), error = distance - circle.radius,
+                  rest = (1 - (error * by_cut).square()).max(0.0);
+      const Lanes w = ((distance - centre_m) * steep).max(0.0).min(1.0) * rest.square();
+      const Lanes by_distance = 1 / distance.max(centre_m), x = (circle.centre.x() - at(x_, i)) * by_distance,
+                  y = (circle.centre.y() - at(y_, i)) * by_distance, wx = w * x, wy = w * y, we = w * error;
+      s.xx += wx * x, s.xy += wx * y, s.yy += wy * y, s.x += wx, s.y += wy, s.w += w;
+      s.ex += we * x, s.ey += we * y, s.e += we;
+    }
+    return s;
+  }
+
+  std::size_t size_;
   std::vector<double> x_, y_, distance_, errors_;
+  double middle_ = 0;  // of the errors, when last looked at
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace bole::stems {
@@ -41,5 +42,8 @@ double unbroken_arc_rad(const std::vector<double>& angles_rad);
 
 // Tukey's biweight for a residual in units of its scale (constant 4.685: 95 % efficiency for normal residuals).
 double tukey_weight(double scaled_residual);
+
+// As upper_median() (base/statistics.h); quick where the middle is near `guess`, which changes nothing else.
+double upper_median_near(std::span<double> values, double guess);
 
 }  // namespace bole::stems

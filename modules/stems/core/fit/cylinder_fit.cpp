@@ -3,11 +3,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numbers>
-#include <tuple>
 
-#include "base/statistics.h"
 #include "stems/core/fit/circle_fit.h"
 
 namespace bole::stems {
@@ -20,6 +19,8 @@ double square(double v) { return v * v; }
 
 using Vector7 = Eigen::Matrix<double, 7, 1>;
 using Matrix7 = Eigen::Matrix<double, 7, 7>;
+using Vector8 = Eigen::Matrix<double, 8, 1>;
+using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
 // Inverse covariance of the offsets of all views, one axis: views of a pass share the displacement of the pass.
 struct DriftPrecision {
@@ -143,11 +144,12 @@ class JointFit {
   // Points of one patch of bark seen in one pass err together: a patch counts as this many points at most.
   double information_share() const {
     constexpr double max_per_patch = 8;
-    std::vector<std::tuple<int, int, int>> patches;
+    constexpr std::int64_t bearings = 16, sections = std::int64_t{1} << 24;
+    std::vector<std::int64_t> patches;
     patches.reserve(points_.size());
     for (const auto& p : points_)
-      patches.emplace_back(p.pass, p.section,
-                           static_cast<int>(std::floor(std::atan2(p.p.y(), p.p.x()) / (std::numbers::pi / 6))));
+      patches.push_back((p.pass * sections + p.section) * bearings +
+                        static_cast<std::int64_t>(std::floor(std::atan2(p.p.y(), p.p.x()) / (std::numbers::pi / 6))));
     std::ranges::sort(patches);
     patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
     return std::min(
@@ -222,8 +224,7 @@ class JointFit {
     const auto n = static_cast<Eigen::Index>(size_);
     normal = Eigen::MatrixXd::Zero(n, n), gradient = Eigen::VectorXd::Zero(n);
     // Small blocks per view: the offsets of two views never meet in one point.
-    std::vector<Matrix7> by_view(views_, Matrix7::Zero());
-    std::vector<Vector7> rhs(views_, Vector7::Zero());
+    std::vector<Matrix8> by_view(views_, Matrix8::Zero());  // and in the last column the right-hand side
     constexpr double k2 = 4.685 * 4.685;
     double sum = 0;
     const double factor = information_ / (scale * scale);
@@ -237,11 +238,14 @@ class JointFit {
       const auto e = residual(of, p, true);
       const double w = share_[i] * factor * (1 - u2) * (1 - u2);
       const auto k = static_cast<std::size_t>(p.view);
-      by_view[k].noalias() += w * e.jacobian * e.jacobian.transpose();
-      rhs[k] += w * e.value * e.jacobian;
+      Vector8 with_value;
+      with_value << e.jacobian, e.value;
+      for (int column = 0; column < 8; ++column) by_view[k].col(column) += w * with_value[column] * with_value;
     }
-    for (std::size_t k = 0; k < views_; ++k)
-      add(by_view[k], static_cast<int>(k), normal), add(rhs[k], static_cast<int>(k), gradient);
+    for (std::size_t k = 0; k < views_; ++k) {
+      add(Matrix7(by_view[k].topLeftCorner<7, 7>()), static_cast<int>(k), normal);
+      add(Vector7(by_view[k].col(7).head<7>()), static_cast<int>(k), gradient);
+    }
     add_prior(c, normal, gradient);
     return information_ * sum * k2 / 6 + prior_cost(c);
   }
@@ -255,13 +259,14 @@ class JointFit {
     return c;
   }
 
-  double robust_scale(double scale) const {
+  double robust_scale(double scale) {
     std::vector<double> errors;
     errors.reserve(values_.size());
     for (std::size_t i = 0; i < values_.size(); ++i)
       if (const auto& e = values_[i]; share_[i] >= 0.5 && e.usable && std::abs(e.value) < 4.685 * scale)
         errors.push_back(std::abs(e.value));
-    return 1.4826 * upper_median(errors);
+    middle_error_ = upper_median_near(errors, middle_error_);
+    return 1.4826 * middle_error_;
   }
 
   const std::vector<BarkPoint>& points_;
@@ -273,6 +278,7 @@ class JointFit {
   std::size_t size_;
   DriftPrecision drift_;
   double information_;
+  double middle_error_ = 0;  // when last looked at
 };
 
 DriftEvidence JointFit::drift_evidence(const TaperedCylinder& c, const Eigen::MatrixXd& normal) const {

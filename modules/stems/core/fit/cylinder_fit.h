@@ -7,6 +7,8 @@
 #include <stop_token>
 #include <vector>
 
+#include "stems/core/fit/beam_depth.h"
+
 namespace bole::stems {
 
 struct BarkPoint {
@@ -15,9 +17,10 @@ struct BarkPoint {
   int pass = 0;                                   // from 0, consecutive
   int view = 0;                                   // from 0, consecutive: part of a pass (number_views)
   int section = 0;
-  std::uint32_t source = 0;  // into the cloud
-  float beam_sd = 0;         // of the light across the beam at the point, metres; 0: a thin ray
-  float beam_doubt = 0;      // standard deviation of beam_sd, metres: all points err alike
+  std::int32_t cloud_pass = 0;  // of the cloud; 0 when not known
+  double time = 0;              // likewise
+  float beam_sd = 0;            // of the light across the beam at the point, metres; 0: a thin ray
+  float beam_doubt = 0;         // standard deviation of beam_sd, metres: all points err alike
 };
 
 // A view is what one pass sees from one direction: errors of the poses change with both. Numbers the points by pass
@@ -116,6 +119,7 @@ class CylinderResiduals {
   Eigen::Vector3d from_axis(const BarkPoint& point) const;  // from the axis point of its view
 
   const TaperedCylinder& c_;
+  BeamDepth lit_depth_;
   Eigen::Vector3d axis_;                   // unit direction
   Eigen::Vector3d axis_by_x_, axis_by_y_;  // its derivatives by the slopes
 };

@@ -1,6 +1,5 @@
 #include <cmath>
 
-#include "stems/core/fit/beam_depth.h"
 #include "stems/core/fit/cylinder_fit.h"
 
 namespace bole::stems {
@@ -53,7 +52,7 @@ PointResidual CylinderResiduals::along_ray(const BarkPoint& point, double ray_ga
   if (radius <= 0 || impact2 >= ray_gate * ray_gate * radius * radius) return out;
   const double by_r = 1 / radius, share2 = impact2 * by_r * by_r, width = point.beam_sd * by_r;
   if (share2 >= 1 && width <= 0) return out;  // a ray that would miss
-  const LitDepth lit = lit_depth(share2, width);
+  const LitDepth lit = lit_depth_(share2, width);
   const double across = along + radius * lit.depth;
   out.value = across * by_m - c_.range_offset, out.impact = std::sqrt(share2), out.usable = true;
   if (!derivatives) return out;

@@ -114,7 +114,7 @@ class StemFitter {
              const Eigen::Vector3d& origin, double breast_height, const ProjectPriors& priors,
              const MeasureOptions& options, const Run& run)
       : candidate_(candidate),
-        layer_(layer),
+        near_(layer, rays),
         rays_(rays),
         dem_(dem),
         origin_(origin),
@@ -125,7 +125,7 @@ class StemFitter {
         run_(run) {}
 
   // The axes of the stem depend on its lean and on the ground at its base: a first fit finds these.
-  StemFitResult first() const {
+  StemFitResult first() {
     AxisLine axis{Eigen::Vector3d(candidate_.x, candidate_.y, candidate_.z),
                   Eigen::Vector3d(candidate_.slope_x, candidate_.slope_y, 1).normalized(), candidate_.radius,
                   candidate_.taper};
@@ -145,22 +145,25 @@ class StemFitter {
     return result;
   }
 
-  StemFitResult again(const Stem& before) const {
+  StemFitResult again(const Stem& before) {
     StemFitResult result;
     AxisLine axis{before.breast_height, before.direction, before.radius - (before.along_rays ? bark_.relief_m : 0),
                   before.taper};
+    std::optional<Attempt> last;
+    std::optional<CylinderFit> fit;
     for (int round = 0; round < max_rounds; ++round) {
-      const auto attempt = prepare(axis, max_gathered);
+      auto attempt = prepare(axis, max_gathered);
       if (!has_sections(attempt, result)) break;
       const auto points = used_points(attempt, max_fit_points);
-      const auto fit =
-          before.along_rays ? ray_fit(points, {0, 0, 0, 0, axis.radius, axis.taper, {}}) : surface_fit(attempt, points);
-      if (!fit) break;
+      auto next = before.along_rays ? ray_fit(points, {0, 0, 0, 0, axis.radius, axis.taper, {}})
+                                    : surface_fit(attempt, points);
+      if (!next) break;
       const double radius = axis.radius;
-      axis = line_of(attempt.axes, fit->cylinder);
-      result.stem = describe(attempt, *fit, axis);
+      axis = line_of(attempt.axes, next->cylinder);
+      last = std::move(attempt), fit = std::move(next);
       if (settled(*fit, radius)) break;
     }
+    if (fit) result.stem = describe(*last, *fit, axis);
     if (!result.stem && result.rejected.empty()) return no_cylinder();
     if (result.stem) result.rejected.clear();
     return result;
@@ -177,7 +180,7 @@ class StemFitter {
   }
 
   // Repeats a fit until it no longer moves; what wanders off stays as it was.
-  void settle(Attempt& attempt, CylinderFit& fit) const {
+  void settle(Attempt& attempt, CylinderFit& fit) {
     constexpr double wandered_m = 0.01;
     Attempt last = attempt;
     CylinderFit now = fit;
@@ -207,7 +210,7 @@ class StemFitter {
     return z;
   }
 
-  Attempt prepare(const AxisLine& axis, std::size_t most) const {
+  Attempt prepare(const AxisLine& axis, std::size_t most) {
     Attempt a;
     const double ground = ground_at(axis);
     const Eigen::Vector3d base = axis.at_z(ground);
@@ -223,8 +226,8 @@ class StemFitter {
     gather.beam_aperture = options_.beam_aperture.value_or(assumed_beam_aperture);
     gather.lowest = options_.search_bottom - breast_height_ - 0.1;
     gather.highest = options_.search_top - breast_height_;
-    a.points = gather_bark(layer_, rays_, a.axes, gather, run_);
-    a.passes = number_passes(a.points, rays_, options_.pass_gap, fits_along_rays(rays_, options_), run_);
+    a.points = gather_bark(near_, a.axes, gather, run_);
+    a.passes = number_passes(a.points, rays_, options_.pass_gap, fits_along_rays(rays_, options_));
     const double step = section_step(a.points, options_.section_step, 2 * options_.min_section_points);
     number_sections(a.points, step);
     a.sections = measure_sections(a.points, a.axes, {radius, axis.taper, step, breast_height_}, options_);
@@ -286,7 +289,7 @@ class StemFitter {
   std::vector<PassSeen> seen_from(const Attempt& a) const;
 
   const StemCandidate& candidate_;
-  const StemLayer& layer_;
+  NearPoints near_;
   const CloudRays& rays_;
   const Raster& dem_;
   const Eigen::Vector3d& origin_;
@@ -374,9 +377,9 @@ std::vector<PassSeen> StemFitter::seen_from(const Attempt& a) const {
   for (const auto& p : a.points) {
     if (const auto* m = find_section(a.sections, p.section); !m || !m->section.used) continue;
     auto& s = seen[static_cast<std::size_t>(p.pass)];
-    if (rays_.pass) s.pass = (*rays_.pass)[p.source];
+    if (rays_.pass) s.pass = p.cloud_pass;
     if (rays_.time)
-      s.time_s += ((*rays_.time)[p.source] - s.time_s) / ++s.points;
+      s.time_s += (p.time - s.time_s) / ++s.points;
     else
       ++s.points;
   }
@@ -413,7 +416,7 @@ StemFitResult refit_stem(const Stem& before, const StemLayer& layer, const Cloud
                          const Eigen::Vector3d& cloud_origin, double breast_height_m, const ProjectPriors& priors,
                          const MeasureOptions& options, const Run& run) {
   try {
-    const StemFitter fitter(before.candidate, layer, rays, dem, cloud_origin, breast_height_m, priors, options, run);
+    StemFitter fitter(before.candidate, layer, rays, dem, cloud_origin, breast_height_m, priors, options, run);
     return checked(fitter.again(before));
   } catch (const std::exception& e) {
     return {std::nullopt, std::string("the fit failed: ") + e.what()};

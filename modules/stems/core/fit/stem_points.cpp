@@ -30,49 +30,43 @@ double ground_around(const Raster& dem, const Eigen::Vector3d& cloud_origin, con
 namespace {
 
 constexpr std::size_t plenty = 300;
-constexpr std::size_t points_between_polls = 256;  // where each may lie on a page of a file
 
-Eigen::Vector3d sensor_of(const StemLayer& layer, const CloudRays& rays, std::size_t k) {
-  if (rays.sensor_x) {
-    const auto i = layer.index[k];
-    return Eigen::Vector3d((*rays.sensor_x)[i], (*rays.sensor_y)[i], (*rays.sensor_z)[i]);
-  }
-  return rays.sensor[k].cast<double>();
-}
-
-struct Near {
-  Eigen::Vector3d p;
-  std::uint32_t k;
+struct Gathered {
+  Eigen::Vector3d p;  // stem axes
+  std::size_t i;      // of the points near the stem
 };
 
-bool lies_before(const Near& a, const Near& b) {
+bool lies_before(const Gathered& a, const Gathered& b) {
   if (a.p.x() != b.p.x()) return a.p.x() < b.p.x();
   if (a.p.y() != b.p.y()) return a.p.y() < b.p.y();
-  return a.p.z() != b.p.z() ? a.p.z() < b.p.z() : a.k < b.k;
+  return a.p.z() != b.p.z() ? a.p.z() < b.p.z() : a.i < b.i;
 }
 
-// Sorts small keys in place of the points: x alone decides nearly always.
-void sort_by_place(std::vector<Near>& near) {
-  std::vector<std::pair<double, std::uint32_t>> order(near.size());
-  for (std::size_t i = 0; i < near.size(); ++i) order[i] = {near[i].p.x(), static_cast<std::uint32_t>(i)};
-  std::ranges::sort(order, [&](const auto& a, const auto& b) {
-    return a.first != b.first ? a.first < b.first : lies_before(near[a.second], near[b.second]);
-  });
-  std::vector<Near> sorted;
-  sorted.reserve(near.size());
-  for (const auto& [x, i] : order) sorted.push_back(near[i]);
-  near.swap(sorted);
+// Stripes of a few points each are quicker to sort than all.
+std::vector<Gathered> sorted_by_place(const std::vector<Gathered>& points) {
+  if (points.empty()) return {};
+  const auto [low, high] = std::ranges::minmax(points, {}, [](const Gathered& a) { return a.p.x(); });
+  const std::size_t stripes = points.size() / 8 + 1;
+  const double first = low.p.x(), by_width = static_cast<double>(stripes) / std::max(1e-9, high.p.x() - first);
+  const auto stripe_of = [&](const Gathered& a) {
+    return std::min(stripes - 1, static_cast<std::size_t>((a.p.x() - first) * by_width));
+  };
+  std::vector<std::uint32_t> start(stripes + 1, 0);
+  for (const auto& a : points) ++start[stripe_of(a) + 1];
+  for (std::size_t s = 0; s < stripes; ++s) start[s + 1] += start[s];
+  std::vector<Gathered> sorted(points.size());
+  auto next = start;
+  for (const auto& a : points) sorted[next[stripe_of(a)]++] = a;
+  for (std::size_t s = 0; s < stripes; ++s)
+    std::sort(sorted.begin() + start[s], sorted.begin() + start[s + 1], lies_before);
+  return sorted;
 }
 
-// Points beyond `max_range`, where nearer ones are plenty, and their rays.
-void drop_distant(std::vector<Near>& near, std::vector<Eigen::Vector3d>& ray, double max_range) {
-  const auto within = static_cast<std::size_t>(
-      std::ranges::count_if(ray, [&](const Eigen::Vector3d& r) { return r.norm() <= max_range; }));
-  if (within < plenty) return;
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < near.size(); ++i)
-    if (!(ray[i].norm() > max_range)) near[kept] = near[i], ray[kept] = ray[i], ++kept;
-  near.resize(kept), ray.resize(kept);
+// Points beyond `max_range`, where nearer ones are plenty.
+void drop_distant(std::vector<Gathered>& points, const NearPoints& near, double max_range) {
+  const auto within = std::ranges::count_if(points, [&](const Gathered& g) { return near[g.i].range <= max_range; });
+  if (static_cast<std::size_t>(within) < plenty) return;
+  std::erase_if(points, [&](const Gathered& g) { return near[g.i].range > max_range; });
 }
 
 // Beams are not quite normal, and makers state their widths at levels of their own.
@@ -80,39 +74,32 @@ constexpr double beam_form_doubt = 0.1;
 
 }  // namespace
 
-std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays, const StemAxes& axes,
-                                   const GatherOptions& options, const Run& run) {
-  std::vector<Near> near;
-  const Eigen::Vector3d up = axes.rotation.row(2).transpose();
-  const double lean = up.head<2>().norm() * std::max(std::abs(options.lowest), options.highest),
-               margin = std::max(0.08, 0.25 * options.radius);
-  layer.for_each_near(axes.origin.x(), axes.origin.y(), options.radius + margin + lean, [&](std::uint32_t k) {
-    const Eigen::Vector3d p = axes.to_stem(layer.position[k].cast<double>());
-    if (p.z() < options.lowest || p.z() > options.highest ||
-        p.head<2>().norm() > options.radius + options.taper * p.z() + margin)
-      return;
-    near.push_back({p, k});
-  });
-  sort_by_place(near);
-  std::vector<Eigen::Vector3d> ray;
-  if (rays.has_sensor()) {
-    ray.reserve(near.size());
-    for (const auto& n : near) {
-      if (ray.size() % points_between_polls == 0 && run.cancelled()) return {};
-      ray.emplace_back(layer.position[n.k].cast<double>() - sensor_of(layer, rays, n.k));
-    }
-    drop_distant(near, ray, options.max_range);
+std::vector<BarkPoint> gather_bark(NearPoints& near, const StemAxes& axes, const GatherOptions& options,
+                                   const Run& run) {
+  const double margin = std::max(0.08, 0.25 * options.radius);
+  const auto reach_at = [&](double z) { return options.radius + options.taper * z + margin; };
+  near.cover({axes.to_cloud({0, 0, options.lowest}), axes.to_cloud({0, 0, options.highest}), reach_at(options.lowest),
+              reach_at(options.highest)},
+             run);
+  std::vector<Gathered> gathered;
+  gathered.reserve(near.size());
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const Eigen::Vector3d p = axes.to_stem(near[i].p);
+    if (p.z() < options.lowest || p.z() > options.highest || p.head<2>().norm() > reach_at(p.z())) continue;
+    gathered.push_back({p, i});
   }
+  gathered = sorted_by_place(gathered);
+  const bool rays = near.rays().has_sensor();
+  if (rays) drop_distant(gathered, near, options.max_range);
   std::vector<BarkPoint> out;
-  const std::size_t stride = near.size() / options.max_points + 1;
-  out.reserve(near.size() / stride + 1);
-  for (std::size_t i = 0; i < near.size(); i += stride) {
+  const std::size_t stride = gathered.size() / options.max_points + 1;
+  out.reserve(gathered.size() / stride + 1);
+  for (std::size_t i = 0; i < gathered.size(); i += stride) {
     auto& b = out.emplace_back();
-    b.p = near[i].p, b.source = layer.index[near[i].k];
-    if (!rays.has_sensor()) continue;
-    const double range = ray[i].norm();
-    if (!(range > 0.1) || !std::isfinite(range)) continue;
-    b.ray = axes.rotation * ray[i] / range;
+    const auto& [p, ray, range, time, pass] = near[gathered[i].i];
+    b.p = gathered[i].p, b.time = time, b.cloud_pass = pass;
+    if (!rays || !(range > 0.1) || !std::isfinite(range)) continue;
+    b.ray = axes.rotation * ray / range;
     // Full widths of laser beams are those at 1/e^2: four standard deviations.
     b.beam_sd = static_cast<float>(0.25 * (options.beam_aperture + options.beam_divergence * range));
     b.beam_doubt = static_cast<float>(std::hypot(0.25 * options.beam_doubt * range, beam_form_doubt * b.beam_sd));
@@ -174,28 +161,22 @@ std::vector<double> starts_of_stretches(std::vector<double> times, double gap_s)
 
 }  // namespace
 
-int number_passes(std::vector<BarkPoint>& points, const CloudRays& rays, double gap_s, bool by_cloud, const Run& run) {
+int number_passes(std::vector<BarkPoint>& points, const CloudRays& rays, double gap_s, bool by_cloud) {
   if ((!rays.time && !rays.pass) || points.empty()) return 1;
-  const auto* pass = by_cloud || !rays.time ? rays.pass : nullptr;
-  std::vector<double> times, starts;
+  const bool with_pass = rays.pass && (by_cloud || !rays.time);
+  std::vector<double> starts;
   if (rays.time) {
+    std::vector<double> times;
     times.reserve(points.size());
-    for (const auto& p : points) {
-      if (times.size() % points_between_polls == 0 && run.cancelled()) return 1;
-      times.push_back((*rays.time)[p.source]);
-    }
-    starts = starts_of_stretches(times, gap_s);
+    for (const auto& p : points) times.push_back(p.time);
+    starts = starts_of_stretches(std::move(times), gap_s);
   }
   using Key = std::pair<std::int32_t, std::ptrdiff_t>;
-  const auto key = [&](std::size_t i) {
-    const auto stretch = rays.time ? std::ranges::upper_bound(starts, times[i]) - starts.begin() : std::ptrdiff_t{0};
-    return Key(pass ? (*pass)[points[i].source] : 0, stretch);
-  };
   std::vector<Key> keys;
   keys.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i % points_between_polls == 0 && run.cancelled()) return 1;
-    keys.push_back(key(i));
+  for (const auto& p : points) {
+    const auto stretch = rays.time ? std::ranges::upper_bound(starts, p.time) - starts.begin() : std::ptrdiff_t{0};
+    keys.emplace_back(with_pass ? p.cloud_pass : 0, stretch);
   }
   std::vector<Key> numbered;
   for (const auto& k : keys)

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "stems/core/fit/fit_stem.h"
+#include "stems/core/fit/near_points.h"
 
 namespace bole::stems {
 
@@ -46,8 +47,8 @@ struct GatherOptions {
 // Points near the expected surface or inside, sorted by place. Points beyond max_range are left out when nearer
 // ones are plenty; of very many an even choice remains. None after a cancel: columns that lie on file are slow to read
 // all over.
-std::vector<BarkPoint> gather_bark(const StemLayer& layer, const CloudRays& rays, const StemAxes& axes,
-                                   const GatherOptions& options, const Run& run);
+std::vector<BarkPoint> gather_bark(NearPoints& near, const StemAxes& axes, const GatherOptions& options,
+                                   const Run& run);
 
 // Sections thick enough to hold a circle: `step_m`, doubled up to four times its size while most of the sections have
 // fewer than `least` points.
@@ -55,7 +56,7 @@ double section_step(const std::vector<BarkPoint>& points, double step_m, int lea
 void number_sections(std::vector<BarkPoint>& points, double step_m);
 
 // Gives every point its pass, from 0, by pauses in time, and by the passes of the cloud too where `by_cloud` or where
-// times are not known; the number of passes. One when neither is known, and after a cancel.
-int number_passes(std::vector<BarkPoint>& points, const CloudRays& rays, double gap_s, bool by_cloud, const Run& run);
+// times are not known; the number of passes. One when neither is known.
+int number_passes(std::vector<BarkPoint>& points, const CloudRays& rays, double gap_s, bool by_cloud);
 
 }  // namespace bole::stems

@@ -69,6 +69,11 @@ std::vector<MeasuredSection> measure_sections(const std::vector<BarkPoint>& poin
 }
 
 const MeasuredSection* find_section(const std::vector<MeasuredSection>& sections, int number) {
+  // Sections follow one another but for those without a circle.
+  if (sections.empty() || number < sections.front().number) return nullptr;
+  if (const auto i = static_cast<std::size_t>(number - sections.front().number);
+      i < sections.size() && sections[i].number == number)
+    return &sections[i];
   const auto it = std::ranges::lower_bound(sections, number, {}, &MeasuredSection::number);
   return it != sections.end() && it->number == number ? &*it : nullptr;
 }

@@ -11,13 +11,13 @@
 namespace bole::stems {
 namespace {
 
-constexpr double low_end_m = 3;          // below this a stem that ends is no tree that was measured
-constexpr double end_in_diameters = 10;  // nor where it is so thick for its height ...
-constexpr double highest_low_end_m = 6;  // ... up to here
-constexpr double band_m = 0.1;           // height of the bands that bark is counted in
-constexpr std::size_t bands = 90;        // from the ground upwards
-constexpr double off_bark_m = 0.08;      // so near to the surface, or inside, is the stem
-constexpr double open_around_m = 0.25;   // what must be empty above it
+constexpr double low_end_m = 3;                   // below this a stem that ends is no tree that was measured
+constexpr double end_in_diameters = 10;           // nor where it is so thick for its height ...
+constexpr double highest_low_end_m = 6;           // ... up to here
+constexpr double band_m = 0.1;                    // height of the bands that bark is counted in
+constexpr std::size_t bands = StemColumn::bands;  // from the ground upwards
+constexpr double off_bark_m = 0.08;               // so near to the surface, or inside, is the stem
+constexpr double open_around_m = 0.25;            // what must be empty above it
 constexpr double open_from_m = 0.2, open_to_m = 2.0;
 constexpr double open_share = 0.05;       // of the points per band on the bark
 constexpr double end_share = 0.3;         // likewise: thinner, and the stem has ended
@@ -28,10 +28,7 @@ constexpr int min_points_per_band = 4;
 constexpr double around_m = 15, higher_by_m = 1.5;
 constexpr double column_tile_m = 2.0;
 
-// Points on and above a stem, by height above its ground.
-struct Column {
-  std::array<int, bands> bark{}, inside{};
-};
+using Column = StemColumn;
 
 std::vector<Column> columns_of(const std::vector<Stem>& stems, const PointCloud& points, const Run& run) {
   std::vector<Column> columns(stems.size());
@@ -99,11 +96,12 @@ bool others_go_on(const std::vector<Stem>& stems, const std::vector<double>& hei
 
 }  // namespace
 
-void judge_low_ends(std::vector<Stem>& stems, const std::vector<double>& height_m, const PointCloud& points,
-                    const Run& run) {
-  const auto columns = columns_of(stems, points, run);
+LowEnds::LowEnds(const std::vector<Stem>& stems, const PointCloud& points, const Run& run)
+    : columns_(columns_of(stems, points, run)) {}
+
+void LowEnds::judge(std::vector<Stem>& stems, const std::vector<double>& height_m) const {
   for (std::size_t k = 0; k < stems.size(); ++k) {
-    const auto end = open_end_m(stems[k], columns[k]);
+    const auto end = open_end_m(stems[k], columns_[k]);
     if (!end || height_m[k] > *end + ragged_m || !others_go_on(stems, height_m, k, *end)) continue;
     stems[k].reasons.push_back({StemReason::ends_low, {*end}});
     stems[k].quality = "poor";

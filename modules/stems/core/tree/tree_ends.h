@@ -34,9 +34,21 @@ struct TreeEnds {
 TreeEnds tree_ends(const std::vector<Stem>& stems, const std::vector<double>& height_m, const PointCloud& points,
                    const PointLabels& labels, const Run& run);
 
+// Points on and above a stem, by height above its ground.
+struct StemColumn {
+  static constexpr std::size_t bands = 90;
+  std::array<int, bands> bark{}, inside{};
+};
+
 // Stems that end low in an open space while the trees around go on: stumps, posts, standing persons. Adds the reason
 // and sets state check and quality poor. `height_m` as above.
-void judge_low_ends(std::vector<Stem>& stems, const std::vector<double>& height_m, const PointCloud& points,
-                    const Run& run);
+class LowEnds {
+ public:
+  LowEnds(const std::vector<Stem>& stems, const PointCloud& points, const Run& run);
+  void judge(std::vector<Stem>& stems, const std::vector<double>& height_m) const;
+
+ private:
+  std::vector<StemColumn> columns_;
+};
 
 }  // namespace bole::stems

@@ -1,6 +1,7 @@
 #include "stems/core/tree/tree_tops.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -298,16 +299,27 @@ std::vector<TopVerdict> measure_tops(std::vector<Stem>& stems, const PointCloud&
                                      Report& report) {
   std::vector<TopVerdict> verdicts;
   if (stems.empty()) return verdicts;
-  const auto tops = find_tops(stems, points, labels, growth, run);
-  const auto in_reach = tops_in_reach(stems, tops, points, labels, sensor_of, run);
-  const CanopyTop canopy(points, run);
+  std::vector<Top> tops;
+  std::vector<char> in_reach;
   std::vector<double> heights;
-  for (const auto& top : tops) heights.push_back(top.height_m);
-  const auto ends = tree_ends(stems, heights, points, labels, run);
-  judge_low_ends(stems, heights, points, run);
+  TreeEnds ends;
+  std::optional<CanopyTop> canopy;
+  std::optional<LowEnds> low_ends;
+  tbb::parallel_invoke(
+      [&] {
+        tops = find_tops(stems, points, labels, growth, run);
+        for (const auto& top : tops) heights.push_back(top.height_m);
+        ends = tree_ends(stems, heights, points, labels, run);
+        in_reach = tops_in_reach(stems, tops, points, labels, sensor_of, run);
+      },
+      [&] {
+        canopy.emplace(points, run);
+        low_ends.emplace(stems, points, run);
+      });
+  low_ends->judge(stems, heights);
   for (std::size_t k = 0; k < stems.size(); ++k) {
     auto& s = stems[k];
-    verdicts.push_back(verdict_of(s, tops[k], canopy, in_reach[k] != 0, ends.by_stem[k]));
+    verdicts.push_back(verdict_of(s, tops[k], *canopy, in_reach[k] != 0, ends.by_stem[k]));
     s.height_m = may_be_anothers(verdicts.back()) ? tops[k].own_m : tops[k].height_m;
     s.height_seen = verdicts.back() == TopVerdict::seen;
   }
