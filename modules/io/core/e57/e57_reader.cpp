@@ -257,7 +257,7 @@ void add_block(const Block& block, std::size_t scan, ScanRows& scan_rows, CloudB
 }
 
 // Records that the scans declare, no more of them than the file has bits for.
-std::size_t most_records(const std::vector<Scan>& scans, std::uint64_t bytes) {
+std::size_t max_records(const std::vector<Scan>& scans, std::uint64_t bytes) {
   std::uint64_t bits_left = 8 * bytes, records = 0;
   for (const auto& scan : scans) {
     std::uint64_t bits = 0;
@@ -339,7 +339,7 @@ CloudReading read_e57(Bytes file, const CloudReadOptions& options, const Run& ru
   e57::ScanPlaces places(scans, options.scan_positions);
   const Rows rows(scans, places.known());
   CloudBuilder builder(rows.fields(), options);
-  if (options.bounds.empty()) builder.reserve(most_records(scans, pages.size()));
+  if (options.bounds.empty()) builder.reserve(max_records(scans, pages.size()));
   Counts counts;
   std::vector<std::string> problems = description.warnings;
   for (std::size_t k = 0; k < scans.size(); ++k) {

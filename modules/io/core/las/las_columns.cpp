@@ -114,7 +114,7 @@ void ColumnBuilder::expect(std::size_t count) {
 // coordinates would be in memory twice.
 void ColumnBuilder::reserve_positions(std::size_t capacity) {
   try {
-    positions_.reserve(std::max(capacity, most_points_));
+    positions_.reserve(std::max(capacity, max_points_));
   } catch (const std::bad_alloc&) {
     positions_.reserve(capacity);
   }
@@ -131,7 +131,7 @@ void ColumnBuilder::grow_on_file(std::size_t capacity) {
 void ColumnBuilder::resize(std::size_t count) {
   if (count > expected_) {
     std::size_t capacity = std::max(count, 2 * size());
-    if (count <= most_points_) capacity = std::min(capacity, most_points_);
+    if (count <= max_points_) capacity = std::min(capacity, max_points_);
     if (bytes_of(capacity) > room_.max_bytes) grow_on_file(capacity);
   }
   // The first touch of a page costs more than what is written to it, above all on file: columns take theirs in

@@ -49,7 +49,7 @@ class ColumnBuilder {
   void expect(std::size_t count);
 
   // For points that are chosen from so many: how many they are is known once they are read.
-  void expect_at_most(std::size_t count) { most_points_ = count; }
+  void expect_at_most(std::size_t count) { max_points_ = count; }
 
   // Grows to `count` points and keeps those that were decoded. Columns that outgrow their room move to a file, later to
   // larger ones, one after the other and without being in memory as a whole.
@@ -100,7 +100,7 @@ class ColumnBuilder {
   std::vector<std::uint16_t> point_source_id_, red_, green_, blue_, near_infrared_;
   std::vector<ExtraDimension> dimensions_;
   std::vector<Column> extra_;
-  std::size_t expected_ = 0, most_points_ = 0;
+  std::size_t expected_ = 0, max_points_ = 0;
   ColumnRoom room_;
   bool on_file_ = false;
   std::size_t without_room_ = 0;
