@@ -292,6 +292,24 @@ TEST(ReadCloud, CoordinatesBeyondTheEarthAreRefused) {
   EXPECT_TRUE(has_finding(read(text + "1e12 2 3\n", "a.xyz").report, "implausible_coordinates"));
 }
 
+// A header that declares such coordinates wrote them; one that does not stands above noise.
+TEST(ReadCloud, CoordinatesBeyondTheEarthAreReadWhereTheHeaderDeclaresThem) {
+  const TempDir dir;
+  PointCloud cloud;
+  cloud.scale.setConstant(1000);
+  cloud.set_positions({{0, 0, 0}, {2e11F, 1e9F, 5e8F}, {-3e11F, 0, 7e10F}});
+  write_cloud(dir / "far.las", cloud);
+  const auto far = read_cloud(dir / "far.las");
+  ASSERT_EQ(far.cloud.size(), 3U);
+  ASSERT_EQ(far.report.findings.size(), 1U);
+  EXPECT_EQ(far.report.findings[0].code, "implausible_coordinates");
+  EXPECT_EQ(far.report.findings[0].severity, Severity::refused);
+  std::string text = file_text(dir / "far.las");
+  const double declared = 10;  // max x
+  std::memcpy(text.data() + 179, &declared, sizeof declared);
+  EXPECT_THAT(error_of([&] { read(text, "far.las"); }), HasSubstr("2 of 3 points lie more than 100 000 km"));
+}
+
 TEST(ReadCloud, APipeIsNoFile) {
   const TempDir dir;
   ASSERT_EQ(::mkfifo((dir / "a.las").c_str(), 0600), 0);  // nobody writes into it: to open it would take for ever

@@ -2,8 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
+#include <map>
 
+#include "io/core/clouds/cloud_reader.h"
 #include "io/core/las/las_reader.h"
 #include "real_data.h"
 
@@ -75,6 +78,87 @@ TEST(LasSamples, CompressedEqualsUncompressed) {
       EXPECT_EQ(*values, packed.column(column)) << name << " " << column;
   }
 }
+
+// Numbers of all values that the format has, in steps of 1 m: no coordinates, but points as they were written. Sums and
+// first points are those that laspy 2.5.4 gives (of all columns: tests/bench/peers/las_against_laspy.py).
+struct RandomSample {
+  std::string path;
+  std::map<std::string, double> sums;
+  std::array<double, 2> times;
+};
+void PrintTo(const RandomSample& s, std::ostream* out) { *out << s.path; }
+
+class LasOfRandomNumbers : public testing::TestWithParam<RandomSample> {};
+
+TEST_P(LasOfRandomNumbers, AreReadAsTheyWereWritten) {
+  const auto path = data / GetParam().path;
+  BOLE_NEEDS_REAL(path);
+  const CloudReading reading = read_cloud(path);
+  const PointCloud& cloud = reading.cloud;
+  ASSERT_EQ(cloud.size(), 1024U);
+  const Eigen::Vector3d first[] = {{373598160, 295657190, 195961234}, {1448380368, 362706660, 0}};
+  constexpr double float_steps = 128;  // half of a step of float32 numbers at 2^31 m
+  EXPECT_LE((cloud.position(0) - first[0]).cwiseAbs().maxCoeff(), float_steps);
+  EXPECT_LE((cloud.position(1) - first[1]).head<2>().cwiseAbs().maxCoeff(), float_steps);
+  EXPECT_EQ(cloud.values<double>(arrays::time)[0], GetParam().times[0]);
+  EXPECT_EQ(cloud.values<double>(arrays::time)[1], GetParam().times[1]);
+  for (const auto& [name, sum] : GetParam().sums) {
+    ASSERT_TRUE(cloud.has(name)) << name;
+    double found = 0;
+    for (std::size_t i = 0; i < cloud.size(); ++i) found += column_value(cloud.column(name), i);
+    EXPECT_EQ(found, sum) << name;
+  }
+  const auto& findings = reading.report.findings;
+  const auto told = std::ranges::find(findings, "implausible_coordinates", &Finding::code);
+  ASSERT_NE(told, findings.end());
+  EXPECT_EQ(told->severity, Severity::refused);
+  EXPECT_THAT(told->text, testing::HasSubstr("1024 of 1024 points"));
+}
+
+const std::map<std::string, double> format_6{{"intensity", 33049351},
+                                             {"return_number", 8038},
+                                             {"number_of_returns", 7728},
+                                             {"synthetic", 548},
+                                             {"key_point", 530},
+                                             {"withheld", 494},
+                                             {"overlap", 493},
+                                             {"scanner_channel", 1605},
+                                             {"scan_direction", 459},
+                                             {"edge_of_flight_line", 482},
+                                             {"classification", 128752},
+                                             {"user_data", 134435},
+                                             {"point_source_id", 34989761},
+                                             {"FIELD_0", 128667},
+                                             {"FIELD_1", 133381},
+                                             {"FIELD_2", 135182},
+                                             {"FIELD_3", 129830}};
+const std::map<std::string, double> format_8{{"intensity", 32866212},
+                                             {"return_number", 8088},
+                                             {"number_of_returns", 7669},
+                                             {"synthetic", 551},
+                                             {"key_point", 538},
+                                             {"withheld", 483},
+                                             {"overlap", 491},
+                                             {"scanner_channel", 1640},
+                                             {"scan_direction", 467},
+                                             {"edge_of_flight_line", 482},
+                                             {"classification", 130942},
+                                             {"user_data", 135880},
+                                             {"point_source_id", 35203431},
+                                             {"red", 35042160},
+                                             {"green", 34304961},
+                                             {"blue", 35497485},
+                                             {"near_infrared", 34543291},
+                                             {"FIELD_0", 126265},
+                                             {"FIELD_1", 124947},
+                                             {"FIELD_2", 128277},
+                                             {"FIELD_3", 119763}};
+INSTANTIATE_TEST_SUITE_P(
+    Manifest, LasOfRandomNumbers,
+    testing::Values(
+        RandomSample{"readers/loaders.gl/pdrf6-1.4.las", format_6, {{0x1.1a277bbe41301p-2, 0x1.1a277bb841309p-128}}},
+        RandomSample{"readers/loaders.gl/pdrf6-1.4.laz", format_6, {{0x1.1a277bbe41301p-2, 0x1.1a277bb841309p-128}}},
+        RandomSample{"readers/loaders.gl/pdrf8-1.4.laz", format_8, {{0x1.1a277bbe41301p-2, 0x1.1a27fbb871309p+0}}}));
 
 TEST(LasSamples, UserDefinedGeoTiffKeysBecomeWkt) {
   const auto path = data / "readers/PDAL/autzen_trim.laz";

@@ -216,6 +216,8 @@ struct CloudBuilder::Parts {
     SourceType source;
     Column column;
     unsigned shift = 0;  // of the colour within packed_rgb
+    bool byte_colour = source == SourceType::uint8 && is_colour(name);
+    bool in_metres = name == arrays::range.name;
   };
   std::array<std::size_t, 3> xyz{};
   std::vector<Target> targets;
@@ -358,9 +360,9 @@ void CloudBuilder::add(std::span<const double> row) {
     double value = row[t.field];
     if (t.source == SourceType::packed_rgb) {
       value = (saturated<std::uint32_t>(value) >> t.shift & 0xFF) * 257.0;
-    } else if (t.source == SourceType::uint8 && is_colour(t.name)) {
+    } else if (t.byte_colour) {
       value *= 257;
-    } else if (t.name == arrays::range.name) {
+    } else if (t.in_metres) {
       value *= p.metres;
     }
     std::visit([&](auto& v) { v.push_back(saturated<typename std::decay_t<decltype(v)>::value_type>(value)); },

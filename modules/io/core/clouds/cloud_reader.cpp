@@ -1,6 +1,7 @@
 #include "io/core/clouds/cloud_reader.h"
 
 #include "base/error.h"
+#include "base/verdict.h"
 #include "io/core/clouds/cloud_builder.h"
 #include "io/core/formats.h"
 
@@ -67,8 +68,10 @@ Eigen::Matrix3d rotation_to_z_up(UpAxis up) {
 }
 
 // Noise read as numbers reaches 1e38; the unit of a file may be another than metres.
-void check_coordinates(CloudReading& reading) {
+void check_coordinates(CloudReading& reading, bool declared) {
   constexpr double doubtful_share = 0.01;
+  constexpr const char* code = "implausible_coordinates";
+  if (has_finding(reading.report, code)) return;
   const auto& cloud = reading.cloud;
   std::size_t far = 0;
   for (const auto& p : cloud.positions())
@@ -76,10 +79,17 @@ void check_coordinates(CloudReading& reading) {
   if (far == 0) return;
   const auto found =
       std::to_string(far) + " of " + std::to_string(cloud.size()) + " points lie more than 100 000 km from the origin";
-  if (static_cast<double>(far) > doubtful_share * static_cast<double>(cloud.size()))
+  const bool many = static_cast<double>(far) > doubtful_share * static_cast<double>(cloud.size());
+  if (many && !declared)
     throw bad_input(found + ": these are no coordinates in metres", "a point cloud",
                     "Is the file damaged or of another kind? Else set the option unit, or the columns of a text file");
-  reading.report.find(Severity::look, "implausible_coordinates", found + ": crop or repair the cloud");
+  if (many)
+    reading.report.find(Severity::refused, code,
+                        found +
+                            ", as the bounds in the header of the file say: these are no coordinates in metres. "
+                            "Set the option unit, or repair scale and offset in the header");
+  else
+    reading.report.find(Severity::look, code, found + ": crop or repair the cloud");
 }
 
 CloudReading read_cloud(Bytes file, const std::filesystem::path& name, const CloudReadOptions& options,

@@ -63,8 +63,9 @@ CloudReading read_cloud(const std::filesystem::path& path, const CloudReadOption
 CloudReading read_cloud(Bytes file, const std::filesystem::path& name, const CloudReadOptions& options = {},
                         const Run& run = {});
 
-// A finding where some coordinates are none of this earth (farthest_m); throws Error{bad_input} where many are.
-void check_coordinates(CloudReading& reading);
+// A finding where some coordinates are none of this earth (farthest_m). Where many are, the finding refuses the result
+// if the file itself declares such bounds, else throws Error{bad_input}. Does nothing once the finding is made.
+void check_coordinates(CloudReading& reading, bool declared = false);
 
 double metres_per_unit(LengthUnit unit);
 Eigen::Matrix3d rotation_to_z_up(UpAxis up);

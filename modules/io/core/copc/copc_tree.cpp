@@ -141,7 +141,6 @@ PointCloud CopcTree::decode(const std::vector<laz::Chunk>& chunks, const CloudBo
   const las::RecordSelection selection(box, info_);
   std::vector<std::string> warnings;
   laz::PointsWanted wanted;
-  wanted.columns_in_memory = large_columns_bytes;
   wanted.selection = &selection;
   wanted.chunks = &chunks;
   const auto read = laz::read_points(file_.bytes(), info_, builder, wanted, run, warnings);

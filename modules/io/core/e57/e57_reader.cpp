@@ -1,6 +1,7 @@
 #include "io/core/e57/e57_reader.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <array>
@@ -137,12 +138,16 @@ class Rows {
 class ScanRows {
  public:
   ScanRows(const Scan& scan, std::size_t number, const Rows& rows)
-      : scan_(scan), number_(static_cast<double>(number)), row_(rows.fields().size(), unknown) {
+      : scan_(scan),
+        number_(static_cast<double>(number)),
+        row_(rows.fields().size(), unknown),
+        spherical_(scan.is_spherical()),
+        structured_(scan.is_structured()) {
     if (scan.T_file_scan) T_file_scan_ = *scan.T_file_scan;
     static constexpr std::array cartesian{"cartesianX", "cartesianY", "cartesianZ"};
     static constexpr std::array spherical{"sphericalRange", "sphericalAzimuth", "sphericalElevation"};
-    for (std::size_t k = 0; k < 3; ++k) xyz_[k] = field(scan.is_spherical() ? spherical[k] : cartesian[k]);
-    state_ = field(scan.is_spherical() ? "sphericalInvalidState" : "cartesianInvalidState");
+    for (std::size_t k = 0; k < 3; ++k) xyz_[k] = field(spherical_ ? spherical[k] : cartesian[k]);
+    state_ = field(spherical_ ? "sphericalInvalidState" : "cartesianInvalidState");
     intensity_ = field("intensity");
     no_intensity_ = field("isIntensityInvalid");
     static constexpr std::array names{"colorRed", "colorGreen", "colorBlue"};
@@ -165,14 +170,13 @@ class ScanRows {
   bool has_coordinates() const { return xyz_[0] >= 0 && xyz_[1] >= 0 && xyz_[2] >= 0; }
   bool invalid(const Block& block, std::size_t i) const { return state_ >= 0 && at(block, state_, i) != 0; }
   // Grids without such a state have zeros in the cells where nothing came back.
-  bool empty_cell() const { return state_ < 0 && scan_.is_structured() && local_.isZero(0); }
+  bool empty_cell() const { return state_ < 0 && structured_ && local_.isZero(0); }
   const Eigen::Vector3d& local() const { return local_; }
 
   std::span<const double> row(const Block& block, std::size_t i) {
     const double a = at(block, xyz_[0], i), b = at(block, xyz_[1], i), c = at(block, xyz_[2], i);
-    local_ = scan_.is_spherical()
-                 ? Eigen::Vector3d(a * std::cos(c) * std::cos(b), a * std::cos(c) * std::sin(b), a * std::sin(c))
-                 : Eigen::Vector3d(a, b, c);
+    local_ = spherical_ ? Eigen::Vector3d(a * std::cos(c) * std::cos(b), a * std::cos(c) * std::sin(b), a * std::sin(c))
+                        : Eigen::Vector3d(a, b, c);
     Eigen::Map<Eigen::Vector3d>(row_.data()) = T_file_scan_ * local_;
     if (to_sensor_ >= 0) {
       Eigen::Map<Eigen::Vector3d>(row_.data() + to_sensor_) = T_file_scan_.translation();
@@ -216,6 +220,7 @@ class ScanRows {
   const Scan& scan_;
   double number_;
   std::vector<double> row_;
+  bool spherical_, structured_;  // asked of every record
   Eigen::Isometry3d T_file_scan_ = Eigen::Isometry3d::Identity();
   Eigen::Vector3d local_ = Eigen::Vector3d::Zero();
   std::array<int, 3> xyz_{}, colour_{};
@@ -229,6 +234,40 @@ struct Counts {
   std::uint64_t declared = 0, decoded = 0, damaged = 0;
   std::int64_t invalid = 0, empty_cells = 0;
 };
+
+void add_block(const Block& block, std::size_t scan, ScanRows& scan_rows, CloudBuilder& builder,
+               e57::ScanPlaces& places, Counts& counts) {
+  for (std::size_t i = 0; i < block.count; ++i) {
+    if (block.damaged[i] != 0) {
+      ++counts.damaged;
+      continue;
+    }
+    if (scan_rows.invalid(block, i)) {
+      ++counts.invalid;
+      continue;
+    }
+    const auto row = scan_rows.row(block, i);
+    if (scan_rows.empty_cell()) {
+      ++counts.empty_cells;
+      continue;
+    }
+    builder.add(row);
+    places.add(scan, scan_rows.local());
+  }
+}
+
+// Records that the scans declare, no more of them than the file has bits for.
+std::size_t max_records(const std::vector<Scan>& scans, std::uint64_t bytes) {
+  std::uint64_t bits_left = 8 * bytes, records = 0;
+  for (const auto& scan : scans) {
+    std::uint64_t bits = 0;
+    for (const auto& field : scan.fields) bits += field.bits();
+    const std::uint64_t possible = bits > 0 ? std::min(scan.records, bits_left / bits) : 0;
+    records += possible;
+    bits_left -= possible * bits;
+  }
+  return records;
+}
 
 void add_facts(const e57::Description& description, bool with_places, CloudReading& out) {
   auto& report = out.report;
@@ -300,6 +339,7 @@ CloudReading read_e57(Bytes file, const CloudReadOptions& options, const Run& ru
   e57::ScanPlaces places(scans, options.scan_positions);
   const Rows rows(scans, places.known());
   CloudBuilder builder(rows.fields(), options);
+  if (options.bounds.empty()) builder.reserve(max_records(scans, pages.size()));
   Counts counts;
   std::vector<std::string> problems = description.warnings;
   for (std::size_t k = 0; k < scans.size(); ++k) {
@@ -311,25 +351,11 @@ CloudReading read_e57(Bytes file, const CloudReadOptions& options, const Run& ru
       continue;
     }
     e57::PointReader points(pages, scan);
-    Block block;
-    while (points.next(block)) {
-      for (std::size_t i = 0; i < block.count; ++i) {
-        if (block.damaged[i] != 0) {
-          ++counts.damaged;
-          continue;
-        }
-        if (scan_rows.invalid(block, i)) {
-          ++counts.invalid;
-          continue;
-        }
-        const auto row = scan_rows.row(block, i);
-        if (scan_rows.empty_cell()) {
-          ++counts.empty_cells;
-          continue;
-        }
-        builder.add(row);
-        places.add(k, scan_rows.local());
-      }
+    Block block, ahead;
+    for (bool more = points.next(block); more; std::swap(block, ahead)) {
+      // The next packet is checked and decoded while the points of this one go into their columns.
+      tbb::parallel_invoke([&] { more = points.next(ahead); },
+                           [&] { add_block(block, k, scan_rows, builder, places, counts); });
       run.check_cancel();
       const double share = static_cast<double>(points.decoded()) / static_cast<double>(scan.records);
       run.report((static_cast<double>(k) + share) / static_cast<double>(scans.size()), "reading points");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <new>
 
 #include "cloud/large_cloud.h"
 
@@ -75,30 +76,64 @@ void ColumnBuilder::for_each_column(F&& f) {
   for (auto& column : extra_) std::visit(f, column);
 }
 
-void ColumnBuilder::expect(std::size_t count, std::size_t max_bytes, const std::vector<std::filesystem::path>& folders,
-                           std::vector<std::string>& warnings) {
+std::size_t ColumnBuilder::bytes_of(std::size_t count) {
+  std::size_t bytes = 0;
+  for_each_column([&](const auto& values) { bytes += count * sizeof(values[0]); });
+  return bytes;
+}
+
+// Gives a column another place, on file if it is large enough, and moves its values there.
+template <class T>
+void ColumnBuilder::lay_out(std::vector<T>& values, std::size_t capacity) {
+  constexpr std::size_t block = 1 << 22;
+  std::vector<T> place;
+  place.reserve(capacity);
+  const std::size_t bytes = capacity * sizeof(T);
+  auto pages = lay_on_file(place.data(), bytes, Content::undefined, room_.folders);
+  if (!pages && bytes >= min_file_bytes) without_room_ += bytes;
+  for (std::size_t begin = 0; begin < values.size(); begin += block) {
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(begin);
+    const std::size_t count = std::min(block, values.size() - begin);
+    place.insert(place.end(), first, first + static_cast<std::ptrdiff_t>(count));
+    las::leave(place, begin, count);
+    las::leave(values, begin, count);
+  }
+  pages_.erase(values.data());
+  values.swap(place);
+  if (pages) pages_[values.data()] = std::move(pages);
+}
+
+void ColumnBuilder::expect(std::size_t count) {
   expected_ = count;
   positions_.reserve(count);
-  std::size_t bytes = 0, without_room = 0;
-  for_each_column([&](auto& values) {
-    values.reserve(count);
-    bytes += count * sizeof(values[0]);
-  });
-  if (bytes <= max_bytes) return;
-  folders_ = folders;
-  for_each_column([&](auto& values) {
-    const std::size_t size = count * sizeof(values[0]);
-    if (size < min_file_bytes) return;
-    if (auto pages = lay_on_file(values.data(), size, Content::undefined, folders_))
-      pages_[values.data()] = std::move(pages);
-    else
-      without_room += size;
-  });
-  if (without_room > 0) warnings.push_back(no_room_for_scratch(without_room));
+  on_file_ = bytes_of(count) > room_.max_bytes;
+  for_each_column([&](auto& values) { on_file_ ? lay_out(values, count) : values.reserve(count); });
+}
+
+// Memory that is never touched costs nothing: room for all that may come spares the copies of growing, during which
+// coordinates would be in memory twice.
+void ColumnBuilder::reserve_positions(std::size_t capacity) {
+  try {
+    positions_.reserve(std::max(capacity, max_points_));
+  } catch (const std::bad_alloc&) {
+    positions_.reserve(capacity);
+  }
+}
+
+void ColumnBuilder::grow_on_file(std::size_t capacity) {
+  expected_ = capacity;
+  on_file_ = true;
+  without_room_ = 0;
+  reserve_positions(capacity);
+  for_each_column([&](auto& values) { lay_out(values, capacity); });
 }
 
 void ColumnBuilder::resize(std::size_t count) {
-  if (count > expected_) pages_.clear();  // the columns move to other memory
+  if (count > expected_) {
+    std::size_t capacity = std::max(count, 2 * size());
+    if (count <= max_points_) capacity = std::min(capacity, max_points_);
+    if (bytes_of(capacity) > room_.max_bytes) grow_on_file(capacity);
+  }
   // The first touch of a page costs more than what is written to it, above all on file: columns take theirs in
   // parallel.
   std::vector<std::function<void()>> each{[this, count] { positions_.resize(count); }};
@@ -274,7 +309,7 @@ void ColumnBuilder::finish_sensor_axis(PointCloud& cloud, std::size_t dimension,
   auto& global = std::get<std::vector<double>>(extra_[dimension]);
   std::vector<float> local(global.size());
   FilePages pages;
-  if (!folders_.empty()) pages = lay_on_file(local.data(), local.size() * sizeof(float), Content::undefined, folders_);
+  if (on_file_) pages = lay_on_file(local.data(), local.size() * sizeof(float), Content::undefined, room_.folders);
   for (std::size_t begin = 0; begin < local.size(); begin += block) {
     run.check_cancel();
     const std::size_t count = std::min(block, local.size() - begin);

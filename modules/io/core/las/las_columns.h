@@ -32,18 +32,32 @@ std::int32_t grid_middle(std::int32_t low, std::int32_t high, double scale, doub
 // A float32 has 24 bits: up to so many steps from the origin the nearest step is the right one.
 inline constexpr std::int64_t max_exact_steps = std::int64_t{1} << 23;
 
+// Where columns lie (cloud/large_cloud.h).
+struct ColumnRoom {
+  std::size_t max_bytes = std::numeric_limits<std::size_t>::max();  // in memory; with more of them they lie on file
+  std::vector<std::filesystem::path> folders{};
+};
+
 class ColumnBuilder {
  public:
   ColumnBuilder(int point_format, int record_length, std::vector<ExtraDimension> dimensions);
 
-  // Reserves the columns of `count` points. Where they take more than `max_bytes`, they lie in a file in one of the
-  // folders from the start (cloud/large_cloud.h), with a warning where no folder has room.
-  void expect(std::size_t count, std::size_t max_bytes, const std::vector<std::filesystem::path>& folders,
-              std::vector<std::string>& warnings);
+  // Before the first point.
+  void set_room(ColumnRoom room) { room_ = std::move(room); }
 
-  // Grows to `count` points and keeps those that were decoded.
+  // Reserves the columns of `count` points, on file from the start where the room says so.
+  void expect(std::size_t count);
+
+  // For points that are chosen from so many: how many they are is known once they are read.
+  void expect_at_most(std::size_t count) { max_points_ = count; }
+
+  // Grows to `count` points and keeps those that were decoded. Columns that outgrow their room move to a file, later to
+  // larger ones, one after the other and without being in memory as a whole.
   void resize(std::size_t count);
   std::size_t size() const { return positions_.size(); }
+
+  // Bytes of columns that should lie on file and for which no folder has room.
+  std::size_t without_room() const { return without_room_; }
 
   // Releases the memory of the points [first, first + count) as far as their columns lie on file. Coordinates stay.
   void leave(std::size_t first, std::size_t count);
@@ -60,6 +74,11 @@ class ColumnBuilder {
  private:
   template <class F>
   void for_each_column(F&& f);
+  std::size_t bytes_of(std::size_t count);
+  template <class T>
+  void lay_out(std::vector<T>& values, std::size_t capacity);
+  void grow_on_file(std::size_t capacity);
+  void reserve_positions(std::size_t capacity);
   template <class T>
   FilePages pages_of(const std::vector<T>& values);
   template <class T>
@@ -81,9 +100,11 @@ class ColumnBuilder {
   std::vector<std::uint16_t> point_source_id_, red_, green_, blue_, near_infrared_;
   std::vector<ExtraDimension> dimensions_;
   std::vector<Column> extra_;
-  std::size_t expected_ = 0;
-  std::vector<std::filesystem::path> folders_;  // for columns on file; empty where all stay in memory
-  std::map<const void*, FilePages> pages_;      // by the first value of the column that lies on them; gone before it
+  std::size_t expected_ = 0, max_points_ = 0;
+  ColumnRoom room_;
+  bool on_file_ = false;
+  std::size_t without_room_ = 0;
+  std::map<const void*, FilePages> pages_;  // by the first value of the column that lies on them; gone before it
 };
 
 }  // namespace bole::io::las

@@ -57,6 +57,7 @@ Read select_uncompressed(Bytes file, const LasInfo& info, ColumnBuilder& builder
   const std::uint8_t* records = file.data() + info.data_offset;
   Read read{points, info.points, {}};
   std::uint64_t placed = 0;
+  builder.expect_at_most(points);
   constexpr std::uint64_t batch = 1 << 21, block = 1 << 14;
   for (std::uint64_t begin = 0; begin < points; begin += batch) {
     const std::uint64_t end = std::min(points, begin + batch);
@@ -73,11 +74,10 @@ Read select_uncompressed(Bytes file, const LasInfo& info, ColumnBuilder& builder
   return read;
 }
 
-Read read_uncompressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, const LasReadOptions& options,
-                       const Run& run, std::vector<std::string>& warnings) {
+Read read_uncompressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, const Run& run) {
   const auto stride = static_cast<std::uint64_t>(info.record_length);
   const std::uint64_t points = std::min(info.points, (info.data_end - info.data_offset) / stride);
-  builder.expect(points, options.columns_in_memory, scratch_folders(run), warnings);
+  builder.expect(points);
   const std::uint8_t* records = file.data() + info.data_offset;
   Read read{0, info.points, {}};
   // Between batches the calling thread reports; blocks are small enough to stay in the processor's cache.
@@ -143,7 +143,7 @@ Read read_compressed_piece(Bytes file, const LasInfo& info, ColumnBuilder& build
   std::uint64_t declared = chunks ? 0 : info.points;
   if (chunks)
     for (const auto& chunk : *chunks) declared += chunk.points;
-  const laz::PointsWanted wanted{options.columns_in_memory, &selection, chunks ? &*chunks : nullptr};
+  const laz::PointsWanted wanted{&selection, chunks ? &*chunks : nullptr};
   const auto read = laz::read_points(file, info, builder, wanted, run, warnings);
   return {read.sound, declared, read.box, nodes.has_value(), nodes ? nodes->refused : 0};
 }
@@ -152,8 +152,7 @@ Read read_compressed(Bytes file, const LasInfo& info, ColumnBuilder& builder, co
                      const Run& run, std::vector<std::string>& warnings, Report& findings) {
   const auto selection = selection_of(info, options);
   const auto nodes = nodes_of(file, info, options, warnings, findings);
-  const laz::PointsWanted wanted{options.columns_in_memory, selection ? &*selection : nullptr,
-                                 nodes ? &nodes->chunks : nullptr};
+  const laz::PointsWanted wanted{selection ? &*selection : nullptr, nodes ? &nodes->chunks : nullptr};
   const auto read = laz::read_points(file, info, builder, wanted, run, warnings);
   return {read.sound, nodes ? nodes->points + nodes->refused_points : info.points, read.box, nodes.has_value(),
           nodes ? nodes->refused : 0};
@@ -203,7 +202,7 @@ Read read_records(Bytes file, const LasInfo& info, ColumnBuilder& builder, const
   if (info.compressed) return read_compressed(file, info, builder, options, run, warnings, findings);
   if (const auto selection = selection_of(info, options))
     return select_uncompressed(file, info, builder, *selection, run);
-  return read_uncompressed(file, info, builder, options, run, warnings);
+  return read_uncompressed(file, info, builder, run);
 }
 
 // Why there is no point: the octree, its coarse levels, or the bounds.
@@ -256,7 +255,9 @@ PointCloud read_all(Bytes file, const LasReadOptions& options, const Run& run, b
   ColumnBuilder builder(
       info.point_format, info.record_length,
       options.extra_bytes ? las::extra_dimensions(file, info, repeated) : std::vector<las::ExtraDimension>{});
+  builder.set_room({options.columns_in_memory, scratch_folders(run)});
   const Read read = read_records(file, info, builder, options, run, warnings, findings);
+  if (builder.without_room() > 0) warnings.push_back(no_room_for_scratch(builder.without_room()));
   if (read.points == 0 && read.refused_entries > 0) throw nothing_found(read, info, options);
   if (read.points == 0 && read.declared > 0)
     throw bad_input(fmt::format("none of the {} points that the header counts can be read", read.declared),

@@ -28,6 +28,7 @@ std::uint64_t RecordSelection::append(ColumnBuilder& builder, std::span<const st
     if (!kept[i].empty()) boxes[i] = builder.decode(kept[i].data(), kept[i].size() / stride_, first[i]);
   });
   for (const auto& b : boxes) box.add(b);
+  if (!first.empty()) builder.leave(first.front(), placed - first.front());
   return placed;
 }
 

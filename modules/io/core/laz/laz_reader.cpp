@@ -22,6 +22,8 @@ std::size_t block_points(int record_length) {
   return std::clamp<std::size_t>(max_bytes / static_cast<std::size_t>(std::max(record_length, 1)), 1, max_points);
 }
 
+constexpr std::size_t max_kept_bytes = std::size_t{64} << 20;  // of a selection, before they find their places
+
 class PointReader {
  public:
   PointReader(Bytes file, const LasInfo& info, ColumnBuilder& builder, const PointsWanted& wanted, const Run& run,
@@ -35,12 +37,14 @@ class PointReader {
 
   PointsRead read(std::vector<std::string>& warnings) {
     if (wanted_.chunks != nullptr) {
+      builder_.expect_at_most(believable(*wanted_.chunks));
       read_chunks(*wanted_.chunks);
     } else if (const auto table =
                    read_chunk_table(file_, info_.data_offset, info_.points, packing_, info_.record_length)) {
       builder_.resize(0);
-      if (const auto points = believable(*table); points > 0 && wanted_.selection == nullptr)
-        builder_.expect(points, wanted_.columns_in_memory, scratch_folders(run_), warnings);
+      const auto points = believable(*table);
+      if (points > 0 && wanted_.selection == nullptr) builder_.expect(points);
+      builder_.expect_at_most(points);
       read_chunks(*table);
     } else {
       if (packing_.compressor != Compressor::pointwise)
@@ -165,6 +169,7 @@ class PointReader {
       const std::size_t got = worker.decoder.decode(worker.records.data(), wanted);
       if (wanted_.selection != nullptr) {
         wanted_.selection->collect(worker.records.data(), got, worker.kept);
+        if (grow && worker.kept.size() >= max_kept_bytes) place_kept(worker);
       } else {
         if (grow) builder_.resize(first + done + got);
         if (got > 0) worker.box.add(builder_.decode(worker.records.data(), got, first + done));
@@ -188,12 +193,18 @@ class PointReader {
     run_.check_cancel();
     done_ += got;
     if (wanted_.selection != nullptr) {
-      placed_ = wanted_.selection->append(builder_, {&worker.kept, 1}, placed_, box_);
+      place_kept(worker);
     } else {
       placed_ += got;
       box_.add(worker.box);
     }
     return {got == points, got > 0 ? worker.decoder.length() : 0};
+  }
+
+  // What was selected of a chunk that is decoded step by step.
+  void place_kept(Worker& worker) {
+    placed_ = wanted_.selection->append(builder_, {&worker.kept, 1}, placed_, box_);
+    worker.kept.clear();
   }
 
   // Without a table: a chunk ends where its last point does.

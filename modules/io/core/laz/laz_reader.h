@@ -10,7 +10,6 @@
 namespace bole::io::laz {
 
 struct PointsWanted {
-  std::size_t columns_in_memory = 0;                // bytes
   const las::RecordSelection* selection = nullptr;  // null: all points
   // Chunks to read, each apart from the others, so that a damaged one costs only its own points. Needs a selection.
   // null: all, as the chunk table of the file says.
@@ -27,9 +26,8 @@ struct PointsRead {
 std::optional<std::vector<Chunk>> chunks_of(Bytes file, const LasInfo& info);
 
 // Decodes the points into `builder`. Memory grows with the points that are decoded, not with the number in the header.
-// Chunks are decoded in parallel where there is a chunk table, else in order. More than `columns_in_memory` bytes of
-// columns lie on file where the chunk table is plausible. Throws Error{bad_input} when the file lacks its LAZ record,
-// Error{cancelled}.
+// Chunks are decoded in parallel where there is a chunk table, else in order. Throws Error{bad_input} when the file
+// lacks its LAZ record, Error{cancelled}.
 PointsRead read_points(Bytes file, const LasInfo& info, las::ColumnBuilder& builder, const PointsWanted& wanted,
                        const Run& run, std::vector<std::string>& warnings);
 

@@ -4,7 +4,7 @@
 
 #include "base/angles.h"
 #include "slam/core/inertial/mount.h"
-#include "slam/core/odometry/odometry.h"
+#include "slam/core/odometry/unit_alone.h"
 
 namespace bole::slam {
 namespace {
@@ -140,6 +140,25 @@ std::optional<InertialUnit> prepare_unit(const FrameSource& source, const SlamSe
   unit.mount_sigmas = MountSigmas{mount.turn_sigma_rad, mount.lever_sigma,
                                   options.inertial_offset ? given_clock_sigma_s : mount.time_sigma_s};
   return unit;
+}
+
+void tell_unit_alone(const std::vector<TrackedFrame>& frames, Report& report) {
+  constexpr double worth_telling_m = 0.05;
+  double longest_s = 0;
+  const TrackedFrame* last = nullptr;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (!frames[i].bridged) continue;
+    const double alone_s = seconds_alone(frames, i, frames[i].end_s);
+    if (alone_s <= longest_s) continue;
+    longest_s = alone_s;
+    last = &frames[i];
+  }
+  if (last == nullptr || astray_m(longest_s) < worth_telling_m) return;
+  report.find(Severity::look, "inertial_unit_alone",
+              "for " + rounded(longest_s, 10) + " s (until frame " + std::to_string(last->index) +
+                  ") the surroundings left a direction of motion open and the inertial unit alone carried it: the map "
+                  "behind may be shifted by " +
+                  rounded(astray_m(longest_s), 100) + " m or more. Walk where there are stems, or give control points");
 }
 
 }  // namespace bole::slam

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "base/report.h"
 #include "cloud/scan_frame.h"
 #include "slam/core/inertial/preintegration.h"
+#include "slam/core/odometry/odometry.h"
 #include "slam/core/options.h"
 
 namespace bole::slam {
@@ -18,5 +20,9 @@ std::optional<InertialUnit> prepare_unit(const FrameSource& source, const SlamSe
 
 // Writes a mount that was estimated, with its standard deviations, to the report.
 void tell_mount(const Pose& T_sensor_imu, double time_offset_s, const MountSigmas& sigmas, Report& report);
+
+// A finding for the longest stretch over which the unit alone carried a motion, where the map behind may be off by more
+// than a stem is placed to.
+void tell_unit_alone(const std::vector<TrackedFrame>& frames, Report& report);
 
 }  // namespace bole::slam

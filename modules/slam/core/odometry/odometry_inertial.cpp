@@ -4,6 +4,7 @@
 
 #include "base/angles.h"
 #include "slam/core/odometry/odometry.h"
+#include "slam/core/odometry/unit_alone.h"
 
 namespace bole::slam {
 namespace {
@@ -12,6 +13,11 @@ namespace {
 constexpr double max_follow_sigma = 0.5;
 // Where points and unit contradict each other, motions count as open that are observed up to this much better.
 constexpr double max_tension = 4, doubted_share = 8;
+
+// Standard deviation of a place to which the unit alone carries.
+double carried_sigma(const InertialState& state, const std::vector<TrackedFrame>& frames, double until_s) {
+  return std::hypot(InertialFilter::shift_sigma(state), astray_m(seconds_alone(frames, frames.size(), until_s)));
+}
 
 }  // namespace
 
@@ -76,7 +82,7 @@ std::string Odometry::bridged_motion(Registration& r, const std::string& open, c
   determined_.reset();
   found_state_ = found_state(r);
   frame.bridged = true;
-  const double sigma = InertialFilter::shift_sigma(*found_state_);
+  const double sigma = carried_sigma(*found_state_, frames_, frame.end_s);
   if (sigma <= settings_.inertial_bridge) {
     held_ = true;
     return {};
@@ -109,7 +115,7 @@ void Odometry::settle_inertial(TrackedFrame& frame) {
   if (!expected_) return;
   frame.motion = expected_->motion;
   filter_->set(expected_->state);
-  frame.bridged = InertialFilter::shift_sigma(expected_->state) <= settings_.inertial_bridge;
+  frame.bridged = carried_sigma(expected_->state, frames_, frame.end_s) <= settings_.inertial_bridge;
 }
 
 }  // namespace bole::slam

@@ -546,6 +546,7 @@ Track estimate_track(const FrameSource& source, const SlamSettings& options, Rep
   for (const auto& k : pass.keyframes) track.keyframe_times_s.push_back(k.time_s);
   report_frames(pass, options.min_observability, report);
   report_one_way_surfaces(pass, report);
+  tell_unit_alone(pass.frames, report);
   if (is_plain(options.weights)) report_weak_frames(pass, options.min_observability, report);
   return track;
 }
