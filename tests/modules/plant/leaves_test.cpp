@@ -204,6 +204,20 @@ TEST(Leaves, TouchingLeavesArePartedAndSaid) {
   EXPECT_NEAR(sum, truth, 0.08 * truth);
 }
 
+TEST(Leaves, PiecesThatHangOnALeafAreNoLeaves) {
+  LeafTraits leaves;
+  leaves.usable = true;
+  leaves.organs.axes.emplace_back();
+  leaves.organs.leaves.resize(7);
+  leaves.organs.leaves[2].on_other = leaves.organs.leaves[5].on_other = true;
+  Table traits;
+  traits.set("plant_id", std::vector<std::string>{""});
+  add_leaf_columns(traits, leaves, {});
+  EXPECT_EQ(traits.numbers("leaf_count")[0], 5);
+  EXPECT_EQ(traits.numbers("leaf_lo_count")[0], 5);
+  EXPECT_EQ(traits.numbers("leaf_hi_count")[0], 7);
+}
+
 TEST(Leaves, CloudsWithoutAPlantDoNotHarm) {
   Random random(3, 1);
   for (const int shape : {0, 1, 2, 3}) {

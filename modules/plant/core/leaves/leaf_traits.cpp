@@ -88,7 +88,12 @@ void add_leaf_columns(Table& traits, const LeafTraits& leaves, const LeafInputs&
   };
   const auto& organs = leaves.organs;
   const bool found = leaves.usable;
-  traits.set("leaf_count", std::vector<double>{found ? static_cast<double>(organs.leaves.size()) : no_number});
+  // What hangs on another leaf is most often a piece of it.
+  const auto all = static_cast<double>(organs.leaves.size()),
+             pieces = static_cast<double>(std::ranges::count_if(organs.leaves, &Leaf::on_other));
+  traits.set("leaf_count", std::vector<double>{found ? all - pieces : no_number});
+  traits.set("leaf_lo_count", std::vector<double>{found ? all - pieces : no_number});
+  traits.set("leaf_hi_count", std::vector<double>{found ? all : no_number});
   double area = 0, low = 0, high = 0;
   for (const auto& leaf : organs.leaves) {
     const auto bounds = area_bounds(leaf, in.scale_sd, in.noise);
