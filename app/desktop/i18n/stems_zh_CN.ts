@@ -132,6 +132,10 @@
             <translation>只看到 %1 度，拟合结果每米变细 %2 厘米，树干很少如此：尖削度和直径可能被混淆</translation>
         </message>
         <message>
+            <source>narrows by %1 cm per metre at breast height: a root flare, a buttress, or a bank that stands above the terrain</source>
+            <translation>胸高处每米变细 %1 厘米：根部膨大、板根，或高出地面模型的土坎</translation>
+        </message>
+        <message>
             <source>wider above than below</source>
             <translation>上粗下细</translation>
         </message>

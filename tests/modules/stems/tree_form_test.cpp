@@ -325,7 +325,7 @@ TEST(Quality, AnOddTaperSeenFromOneSideIsToBeChecked) {
     Stem s = clear_stem();
     s.taper = -narrowing_cm_per_m / 200;
     judge(s, 1.3);
-    EXPECT_EQ(s.state, "auto") << narrowing_cm_per_m;  // seen all round
+    EXPECT_THAT(joined(s.reasons), testing::Not(testing::HasSubstr("mistaken"))) << narrowing_cm_per_m;  // all round
     s.arc_rad = s.unbroken_arc_rad = 4.6;
     judge(s, 1.3);
     EXPECT_EQ(s.state, "check") << narrowing_cm_per_m;
@@ -337,6 +337,20 @@ TEST(Quality, AnOddTaperSeenFromOneSideIsToBeChecked) {
   s.taper = -0.006;
   judge(s, 1.3);
   EXPECT_EQ(s.state, "auto");
+}
+
+// Breast height lies in a root flare, or the terrain lies too low: the diameter is not that of the stem.
+TEST(Quality, AStemThatFlaresAtBreastHeightIsToBeChecked) {
+  const auto state = [](double narrowing_cm_per_m, double radius_m) {
+    Stem s = clear_stem();
+    s.radius = radius_m, s.radius_low = radius_m - 0.002, s.radius_high = radius_m + 0.002;
+    s.taper = -narrowing_cm_per_m / 200;
+    judge(s, 1.3);
+    return s.state + ", " + joined(s.reasons);
+  };
+  EXPECT_EQ(state(5, 0.14), "auto, ");
+  EXPECT_THAT(state(8, 0.14), testing::StartsWith("check, narrows by 8.0 cm per metre"));
+  EXPECT_EQ(state(8, 0.4), "auto, ");  // thick trees flare more
 }
 
 }  // namespace

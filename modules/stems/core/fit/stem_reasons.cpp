@@ -8,7 +8,7 @@
 namespace bole::stems {
 namespace {
 
-constexpr std::array<std::string_view, 26> reason_formats{
+constexpr std::array<std::string_view, 27> reason_formats{
     "only {:.0f} deg of the bark seen",
     "{:.0f} deg of the bark seen and no sensor positions: the diameter may be biased",
     "wide interval: +-{:.1f} cm",
@@ -35,8 +35,10 @@ constexpr std::array<std::string_view, 26> reason_formats{
     "split from {:.0f} by hand",
     "not round: points scatter by {:.1f} cm, more than on other stems: a tape may read {:.1f} cm more",
     "seen on {:.0f} deg and fitted as narrowing by {:.1f} cm per metre, as stems seldom do: taper and diameter may be "
-    "mistaken for one another"};
-static_assert(reason_formats.size() == static_cast<std::size_t>(StemReason::odd_taper) + 1);
+    "mistaken for one another",
+    "narrows by {:.1f} cm per metre at breast height: a root flare, a buttress, or a bank that stands above the "
+    "terrain"};
+static_assert(reason_formats.size() == static_cast<std::size_t>(StemReason::flares) + 1);
 
 }  // namespace
 

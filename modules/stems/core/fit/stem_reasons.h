@@ -37,6 +37,7 @@ enum class StemReason {
   split,
   not_round,
   odd_taper,
+  flares,
 };
 
 // A sentence of the table with its numbers. There is no other way to make one.
