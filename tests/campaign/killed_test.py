@@ -213,7 +213,8 @@ class Programs(Toy):
 class TwoClients(Toy):
     def test_a_second_client_is_refused_and_a_job_array_shares(self):
         self.campaign(3)
-        fake = self.fake_program("time.sleep(2)")
+        seen = self.folder / "seen"  # the first input waits for it, however slow the machine is
+        fake = self.fake_program(f"while not os.path.exists({str(seen)!r}): time.sleep(0.05)\ntime.sleep(2)")
         code = f"import sys; sys.path.insert(0, {str(ENGINE)!r}); import bole_campaign; sys.exit(bole_campaign.run(*sys.argv[1:3], workers=1, engine='local'))"
         first = subprocess.Popen([sys.executable, "-c", code, self.folder / "campaign.json", self.out], env=self.marked(BOLE_PROGRAM=str(fake)), stdout=subprocess.PIPE,
                                  stderr=subprocess.STDOUT, text=True)
@@ -222,6 +223,7 @@ class TwoClients(Toy):
         told = self.run_all("--engine", "local", expect=FAILED)
         self.assertIn(f"another client works in '{self.out}' (process {first.pid} ", told)
         self.assertIn("running", {row["state"] for row in self.status().values()})
+        seen.touch()
         for k in (1, 2, 3):
             self.run_all("--task", k)
         told = first.communicate(timeout=60)[0]

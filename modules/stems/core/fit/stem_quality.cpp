@@ -17,14 +17,14 @@ constexpr double widest_gap_m = 0.45;  // between used sections, that breast hei
 
 // Seen from one side, points tell taper and radius apart by little: of 869 stems of simulated stands 11 were fitted so,
 // and three of them lay outside their interval.
-constexpr double seen_in_part_deg = 300, most_narrowing_cm_per_m = 6;
-bool usual_narrowing(double cm_per_m) { return cm_per_m >= -0.8 && cm_per_m <= most_narrowing_cm_per_m; }
+constexpr double seen_in_part_deg = 300, max_narrowing_cm_per_m = 6;
+bool usual_narrowing(double cm_per_m) { return cm_per_m >= -0.8 && cm_per_m <= max_narrowing_cm_per_m; }
 
 // Seen all round, it narrows so: a flare of the roots, a buttress, or a bank that the terrain runs below (a spruce at
 // the edge of a terrace was measured 1.6 m too low and 4.5 cm too thick). Thick trees flare more.
 bool flares(double cm_per_m, double radius_m) {
   constexpr double share_per_m = 0.15;  // of the diameter
-  return cm_per_m > std::max(most_narrowing_cm_per_m, 200 * radius_m * share_per_m);
+  return cm_per_m > std::max(max_narrowing_cm_per_m, 200 * radius_m * share_per_m);
 }
 
 // Heights of the nearest used sections below and above.
