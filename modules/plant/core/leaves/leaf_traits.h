@@ -28,9 +28,8 @@ struct LeafTraits {
 // Finds of what is uncertain go into `report`.
 LeafTraits measure_leaves(const LeafInputs& inputs, const Run& run, Report& report);
 
-// leaf_count, leaf_area_cm2, branch_count, stem_length_mm, intervals as NAME_lo_UNIT and NAME_hi_UNIT. Leaves that hang on
-// others are rows of the table of leaves and count in leaf_hi_count alone.
-// NaN where nothing is known.
+// leaf_count, leaf_area_cm2, branch_count, stem_length_mm, intervals as NAME_lo_UNIT and NAME_hi_UNIT. Leaves that hang
+// on others are rows of the table of leaves and count in leaf_hi_count alone. NaN where nothing is known.
 void add_leaf_columns(Table& traits, const LeafTraits& leaves, const LeafInputs& inputs);
 
 struct DiameterThere {

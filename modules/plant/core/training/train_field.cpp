@@ -237,7 +237,7 @@ TrainedField train_field(const ViewSource& views, const std::vector<PosedView>& 
   auto pictures = load_field_views(views, posed, reading, run.part(0, 0.05), report);
   const MaskHull hull(pictures);
   const Region region = hull.given() && !views.has_depth() ? hull.region(region_of_views) : region_of_views;
-  if (hull.given()) report.facts["region_from"] = "masks";
+  if (hull.given() && !views.has_depth()) report.facts["region_from"] = "masks";
   model.space =
       std::make_shared<const FieldSpace>(build_space(views, posed, hull, region, options, run.part(0.05, 0.1), report));
   TrainingState state(std::move(model), std::move(pictures));

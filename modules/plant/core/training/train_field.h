@@ -15,9 +15,9 @@ struct TrainedField {
   double psnr = 0, region_psnr = 0;  // dB, mean over the views kept back; NaN without any
 };
 
-// With a white or black background masks take away what is around the object, and without depth the field is made in the
-// room that they leave. Throws Error{bad_input} where views, poses, masks and region do not make a field. The time limit
-// and `finish` end the training early and say so in the report.
+// With a white or black background masks take away what is around the object, and without depth the field is made in
+// the room that they leave. Throws Error{bad_input} where views, poses, masks and region do not make a field. The time
+// limit and `finish` end the training early and say so in the report.
 TrainedField train_field(const ViewSource& views, const std::vector<PosedView>& posed, const Region& region,
                          const FieldOptions& options, const Run& run, Report& report);
 

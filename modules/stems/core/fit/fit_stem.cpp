@@ -155,8 +155,8 @@ class StemFitter {
       auto attempt = prepare(axis, max_gathered);
       if (!has_sections(attempt, result)) break;
       const auto points = used_points(attempt, max_fit_points);
-      auto next = before.along_rays ? ray_fit(points, {0, 0, 0, 0, axis.radius, axis.taper, {}})
-                                    : surface_fit(attempt, points);
+      auto next =
+          before.along_rays ? ray_fit(points, {0, 0, 0, 0, axis.radius, axis.taper, {}}) : surface_fit(attempt, points);
       if (!next) break;
       const double radius = axis.radius;
       axis = line_of(attempt.axes, next->cylinder);
