@@ -109,7 +109,7 @@ def surface(program, out, folder):
 
 
 def stem_curve_errors_mm(out, truth):
-    """Height above the soil (mm) and error of the diameter (mm) of each section of the main stem that pictures have measured."""
+    """Height above the soil (mm), error of the diameter (mm) and whether its interval holds, of each diameter in stem.csv."""
     def rows(path):
         with open(path, newline="") as file:
             return list(csv.DictReader(file))
@@ -123,7 +123,9 @@ def stem_curve_errors_mm(out, truth):
         z_m = base_z_m + height_mm / 1000
         for (below, d1), (above, d2) in zip(true, true[1:]):
             if math.isfinite(diameter_mm) and below <= z_m < above:
-                errors.append((height_mm, diameter_mm - d1 - (z_m - below) / (above - below) * (d2 - d1)))
+                truth_mm = d1 + (z_m - below) / (above - below) * (d2 - d1)
+                holds = cell(r, "diameter_lo_mm") <= truth_mm <= cell(r, "diameter_hi_mm")
+                errors.append((height_mm, diameter_mm - truth_mm, holds))
     return errors
 
 
@@ -188,9 +190,10 @@ def main():
     print(f"\n{len(seconds)} plants, {failed} failed; ATE {mean(ates):.2f} mm, PSNR {mean(psnrs):.1f} dB, surface {mean(median_mm):.2f} mm, F1 {100 * mean(f1):.0f} %, "
           f"{mean(seconds):.0f} s (longest {max(seconds):.0f}), {max(mib):.0f} MiB")
     for low, high in ((0, 17), (17, 160), (160, 1000)):
-        part = sorted(abs(e) for h, e in curve if low <= h < high)
+        part = sorted((abs(e), holds) for h, e, holds in curve if low <= h < high)
         if part:
-            print(f"stem {low} to {high} mm above the soil: {len(part)} diameters, error median {part[len(part) // 2]:.2f} mm, largest {part[-1]:.2f} mm")
+            print(f"stem {low} to {high} mm above the soil: {len(part)} diameters, error median {part[len(part) // 2][0]:.2f} mm, largest {part[-1][0]:.2f} mm, "
+                  f"intervals hold {sum(holds for _, holds in part)}")
 
 
 if __name__ == "__main__":
