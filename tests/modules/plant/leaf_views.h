@@ -22,8 +22,9 @@ inline bool on_leaf(double x, double y, double share = 1) {
 
 class LeafViews : public ViewSource {
  public:
-  // `green_table`: whether the table is green as well, as moss is.
-  explicit LeafViews(bool green_table = false) : green_table_(green_table) {
+  // `green_table`: whether the table is green as well, as moss is. `gap`: of the leaf, metres along x from its middle,
+  // that is not there.
+  explicit LeafViews(bool green_table = false, double gap = 0) : green_table_(green_table), gap_(gap) {
     camera_.color = {640, 480, 600, 600, 320, 240, {}};
     for (int i = 0; i < 20; ++i) {
       const double turn = 2 * std::numbers::pi * i / 20;
@@ -57,7 +58,7 @@ class LeafViews : public ViewSource {
           const Eigen::Vector3d ray = T.linear() * c.direction(at);
           const double s = (0.2 - T.translation().z()) / ray.z();
           const Eigen::Vector3d p = T.translation() + s * ray;
-          leaf += on_leaf(p.x(), p.y()) ? 1.0 / (fine * fine) : 0;
+          leaf += on_leaf(p.x(), p.y()) && !(p.x() > 0 && p.x() < gap_) ? 1.0 / (fine * fine) : 0;
         }
         // The table behind, in squares of 1 cm of many greys.
         const Eigen::Vector3d ray = T.linear() * c.direction(Eigen::Vector2d(x, y));
@@ -74,6 +75,7 @@ class LeafViews : public ViewSource {
 
  private:
   bool green_table_;
+  double gap_;
   RgbdCamera camera_;
   Trajectory poses_;
 };

@@ -44,6 +44,21 @@ TEST(Outline, IsThatOfTheLeafThoughTheCloudEndsInItsMiddle) {
   EXPECT_LT(outline.refuted, 0.002);
 }
 
+TEST(Outline, APieceThatNothingConnectsIsNotThePlantsButTold) {
+  constexpr double gap = 0.02;
+  const LeafViews views(false, gap);
+  auto points = leaf_cloud(1, 0.0001);
+  std::erase_if(points, [](const Eigen::Vector3d& p) { return p.x() > 0; });
+  const auto outline = outline_of(points, views);
+  ASSERT_TRUE(outline.told);
+  EXPECT_NEAR(outline.length.value, half_length, 0.003);
+  // The far tip is thinner than a cell.
+  EXPECT_GT(outline.with_loose.length, 1.8 * half_length);
+  EXPECT_LT(outline.with_loose.length, 2.05 * half_length);
+  // Without a gap all of the leaf is connected.
+  EXPECT_NEAR(outline_of(points, LeafViews()).with_loose.length, outline_of(points, LeafViews()).length.value, 1e-9);
+}
+
 TEST(Outline, PointsBesideTheLeafAreRefuted) {
   const LeafViews views;
   auto points = leaf_cloud(1, 0.0001);

@@ -43,7 +43,7 @@ bool find_doubts(const PlantOrgans& organs, Report& report) {
                 fmt::format("The plant's points lie too far apart: {} gaps between them were bridged. Do not use the "
                             "leaves and internodes.",
                             organs.gaps));
-  if (organs.lost_share > 0.02)
+  if (organs.lost_share > max_lost_share)
     report.find(
         Severity::look, "plant_in_pieces",
         fmt::format("{:.0f} % of the plant's points are not connected with its stem: leaves may be missing, and "

@@ -12,6 +12,8 @@
 
 namespace bole::plant {
 
+constexpr double max_lost_share = 0.02;  // of the plant's points without connection with its stem
+
 // All places are in plant axes: z up, the origin where the main stem leaves the soil.
 struct PlantAxisFound {
   AxisCurve curve;  // of the main stem from the soil, of a branch from the middle of its parent
@@ -41,7 +43,7 @@ struct PlantOrgans {
   std::size_t gaps = 0;              // bridged
   double widest_gap = 0;
   bool sparse = false;    // the points lie too far apart for their neighbours to be known
-  double lost_share = 0;  // of the points: not connected with the stem
+  double lost_share = 0;  // of the points: not connected with the stem; above max_lost_share the plant is in pieces
   bool stem_ends_in_leaf = false;
 };
 

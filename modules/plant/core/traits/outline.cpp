@@ -20,6 +20,8 @@ constexpr double max_against = 0.08;        // share of the pictures that may sh
 constexpr int min_outline_views = 5;        // that must show a place
 constexpr double max_refuted_share = 0.35;  // of the points: above it the pictures are not believed
 
+constexpr std::size_t min_loose_cells = 12;  // of a piece that counts: a leaf of four by two centimetres has 30
+
 constexpr int edge_parts = 4;       // of a cell at the edge of the room
 constexpr double side_error = 0.7;  // cells of the masks: sides of four simulated plants scatter by that
 
@@ -60,33 +62,50 @@ class Room {
     return min_ + cell_ * (Eigen::Vector3d(x, y, z).array() + 0.5).matrix();
   }
   std::uint8_t& state(std::size_t i) { return state_[i]; }
-  bool at_border(std::size_t i) const {
-    const Eigen::Array3d at = (centre(i) - min_).array() / cell_;
+  bool at_border(std::size_t i) const { return at_border(centre(i)); }
+  bool at_border(const Eigen::Vector3d& place) const {
+    const Eigen::Array3d at = (place - min_).array() / cell_;
     return at.x() < 1 || at.y() < 1 || at.x() > count_.x() - 1 || at.y() > count_.y() - 1 || at.z() > count_.z() - 1;
   }
 
   // Spreads from the cells at `seeds` to all free cells (state 1) that touch, which become 2.
   void spread(const Points3& seeds) {
-    std::vector<Eigen::Vector3i> open;
-    const auto take = [&](const Eigen::Vector3i& c) {
-      if ((c.array() < 0).any() || (c.array() >= count_).any()) return;
-      auto& s = state_[index(c)];
-      if (s == 1) s = 2, open.push_back(c);
-    };
-    const auto around = [&](const Eigen::Vector3i& c) {
-      for (int z = -1; z <= 1; ++z)
-        for (int y = -1; y <= 1; ++y)
-          for (int x = -1; x <= 1; ++x) take(c + Eigen::Vector3i(x, y, z));
-    };
-    for (const auto& p : seeds) around(((p - min_) / cell_).array().floor().cast<int>());
-    while (!open.empty()) {
-      const auto c = open.back();
-      open.pop_back();
-      around(c);
+    Cells open;
+    for (const auto& p : seeds) take_around(((p - min_) / cell_).array().floor().cast<int>(), open);
+    spread_from(std::move(open));
+  }
+
+  // Free cells that are not connected with the plant, in pieces that are no crumbs.
+  Points3 loose() {
+    Points3 out;
+    for (std::size_t i = 0; i < state_.size(); ++i) {
+      if (state_[i] != 1) continue;
+      Cells open;
+      take_around(((centre(i) - min_) / cell_).array().floor().cast<int>(), open);
+      const Cells piece = spread_from(std::move(open));
+      if (piece.size() < min_loose_cells) continue;
+      for (const auto& c : piece) out.push_back(centre(index(c)));
     }
+    return out;
   }
 
  private:
+  using Cells = std::vector<Eigen::Vector3i>;
+  // The free cells at and around a cell become 2, and are added to `taken`.
+  void take_around(const Eigen::Vector3i& c, Cells& taken) {
+    for (int z = -1; z <= 1; ++z)
+      for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+          const Eigen::Vector3i at = c + Eigen::Vector3i(x, y, z);
+          if ((at.array() < 0).any() || (at.array() >= count_).any()) continue;
+          auto& s = state_[index(at)];
+          if (s == 1) s = 2, taken.push_back(at);
+        }
+  }
+  Cells spread_from(Cells cells) {
+    for (std::size_t k = 0; k < cells.size(); ++k) take_around(Eigen::Vector3i(cells[k]), cells);
+    return cells;
+  }
   std::size_t index(const Eigen::Vector3i& c) const {
     const auto size = count_.cast<std::size_t>().eval();
     const auto at = c.cast<std::size_t>().eval();
@@ -165,31 +184,52 @@ Points3 points_on_plant(const Points3& plant, const PlantMasks& masks, const Run
   return out;
 }
 
-// The free cells that are connected with the plant, the outermost of them in finer parts. `cell`: set to their size.
-// The room is made wider until the plant ends in it.
-Points3 room_for(const Points3& plant, const PlantMasks& masks, double& cell, const Run& run) {
-  Points3 cells;
-  bool ends = false;
-  for (double margin = first_margin; !ends && margin <= last_margin; margin *= 2) {
-    Room room(plant, margin);
-    cell = room.cell();
-    for (std::size_t z = 0; z < room.layers(); ++z) {
-      run.check_cancel();
-      run.report(static_cast<double>(z) / static_cast<double>(room.layers()), "room for the plant in the pictures");
-      tbb::parallel_for(z * room.layer_size(), (z + 1) * room.layer_size(),
-                        [&](std::size_t i) { room.state(i) = has_room(masks, room.centre(i), room.cell()) ? 1 : 0; });
-    }
-    room.spread(plant);
-    cells.clear();
-    ends = true;
-    for (std::size_t i = 0; i < room.layers() * room.layer_size(); ++i) {
-      if (room.state(i) != 2) continue;
-      cells.push_back(room.centre(i));
-      ends = ends && !room.at_border(i);
-    }
+struct FreeRoom {
+  Points3 connected;  // with the plant; the outermost cells in finer parts
+  Points3 loose;      // not connected with it
+  double cell = 0;    // edge of a cell, m
+};
+
+// What of a room around the plant is free. `ends`: whether the plant ends in it, and the loose pieces do.
+struct FilledRoom {
+  FreeRoom free;
+  bool ends = true, loose_ends = true;
+};
+
+FilledRoom filled_room(const Points3& plant, const PlantMasks& masks, double margin, const Run& run) {
+  FilledRoom out;
+  Room room(plant, margin);
+  out.free.cell = room.cell();
+  for (std::size_t z = 0; z < room.layers(); ++z) {
+    run.check_cancel();
+    run.report(static_cast<double>(z) / static_cast<double>(room.layers()), "room for the plant in the pictures");
+    tbb::parallel_for(z * room.layer_size(), (z + 1) * room.layer_size(),
+                      [&](std::size_t i) { room.state(i) = has_room(masks, room.centre(i), room.cell()) ? 1 : 0; });
   }
-  // Pictures that leave room without end say nothing.
-  return ends && !cells.empty() ? finer_edge(cells, cell, masks) : Points3{};
+  room.spread(plant);
+  for (std::size_t i = 0; i < room.layers() * room.layer_size(); ++i) {
+    if (room.state(i) != 2) continue;
+    out.free.connected.push_back(room.centre(i));
+    out.ends = out.ends && !room.at_border(i);
+  }
+  out.free.loose = room.loose();
+  out.loose_ends = std::ranges::none_of(out.free.loose, [&](const auto& c) { return room.at_border(c); });
+  return out;
+}
+
+// The room is made wider until the plant ends in it, and then for the loose pieces, whose cells may be coarser.
+// Pictures that leave room without end say nothing.
+FreeRoom room_for(const Points3& plant, const PlantMasks& masks, const Run& run) {
+  FreeRoom found;
+  for (double margin = first_margin; margin <= last_margin; margin *= 2) {
+    auto room = filled_room(plant, masks, margin, run);
+    if (found.connected.empty() && room.ends && !room.free.connected.empty())
+      found = {finer_edge(room.free.connected, room.free.cell, masks), {}, room.free.cell};
+    if (found.connected.empty() || !room.loose_ends) continue;
+    found.loose = std::move(room.free.loose);
+    break;
+  }
+  return found;
 }
 
 // Whether enough pictures look across `direction` at the outermost place there: more than those that may be against it.
@@ -230,15 +270,15 @@ Outline measure_outline(const MaskInputs& inputs, const std::vector<std::uint32_
   out.views = masks.views.size();
   out.points = points_on_plant(*inputs.plant, masks, run);
   out.refuted = 1 - static_cast<double>(out.points.size()) / static_cast<double>(inputs.plant->size());
-  double cell = 0;
-  const auto room = room_for(out.points, masks, cell, run.part(0.5, 1));
+  const auto free = room_for(out.points, masks, run.part(0.5, 1));
+  const auto& room = free.connected;
   if (room.size() < 20) {
     out.told = false;
     return out;
   }
   const auto sizes = sizes_of(room);
   // Of one side: the masks end within a cell of theirs, the room within a part of a cell.
-  const double side_sd = std::hypot(side_error * mask_step(out.points, masks), cell / edge_parts / 2);
+  const double side_sd = std::hypot(side_error * mask_step(out.points, masks), free.cell / edge_parts / 2);
   Extents extents;
   std::vector<Eigen::Vector2d> plan;
   for (const auto& c : room) plan.emplace_back(c.head<2>());
@@ -250,6 +290,9 @@ Outline measure_outline(const MaskInputs& inputs, const std::vector<std::uint32_
   out.length = extents.length;
   out.width = extents.width;
   out.rectangle = extents.rectangle;
+  Points3 all = room;
+  all.insert(all.end(), free.loose.begin(), free.loose.end());
+  out.with_loose = sizes_of(all);
   const auto both_sides = [&](const Eigen::Vector2d& way) {
     const Eigen::Vector3d d = Eigen::Vector3d(way.x(), way.y(), 0).normalized();
     return seen_across(room, masks, d) && seen_across(room, masks, -d);

@@ -15,6 +15,9 @@ struct Outline {
   Extent top, length, width;
   bool top_measured = false, length_measured = false, width_measured = false;
   PlanRectangle rectangle;
+  // Of the plant and of what pictures show like it but nothing connects with it: a leaf whose stalk is too thin to be
+  // seen, or something else.
+  PointSizes with_loose;
   std::size_t views = 0;
 };
 

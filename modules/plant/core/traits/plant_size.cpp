@@ -23,6 +23,7 @@ class SizeMeasurement {
     out_.extents = measure_extents(outline_.points, run_);
     if (pictures) measure_tips_in_pictures();
     take_outline();
+    out_.outline_told = outline_.told;
     const double surface = in_.scene.scale_known ? in_.options.surface_sd : 0.002 * out_.extents.top.value;
     // The top is one surface, the breadth lies between two.
     const double slope_sd = in_.scene.soil_sd;
@@ -32,6 +33,7 @@ class SizeMeasurement {
     out_.length =
         interval_of(out_.extents.length.value, std::hypot(out_.extents.length.sd, both), in_.options.scale_sd);
     out_.width = interval_of(out_.extents.width.value, std::hypot(out_.extents.width.sd, both), in_.options.scale_sd);
+    reach_to_what_is_loose();
     tell_what_is_cut();
     return out_;
   }
@@ -63,6 +65,27 @@ class SizeMeasurement {
         Severity::look, "cloud_and_pictures_differ",
         "The cloud has points beside the plant or lacks parts of it: height and breadth are those of the "
         "plant's outlines in the pictures. Clouds of depth alone are like this; plant.field makes better ones.");
+  }
+
+  // Pictures may show leaves that the cloud lacks, stalk and all: nothing says whether they belong to the plant.
+  void reach_to_what_is_loose() {
+    if (!outline_.told) return;
+    constexpr double clearly = 2.5;
+    const auto reach = [](Interval& size, double with_loose, double sd) {
+      if (with_loose < size.high + clearly * sd) return false;
+      size.high = with_loose + 2 * sd;
+      return true;
+    };
+    const bool top = reach(out_.height, outline_.with_loose.top, outline_.top.sd),
+               length = reach(out_.length, outline_.with_loose.length, outline_.length.sd),
+               width = reach(out_.width, outline_.with_loose.width, outline_.width.sd);
+    if (!top && !length && !width) return;
+    report_.find(
+        Severity::look, "loose_parts_in_pictures",
+        "The pictures show parts of the plant's colour that nothing in the cloud connects with it, " +
+            std::string(top ? "above" : "beside") +
+            " it: leaves that the cloud lacks, or something else. The intervals of height and breadth reach to them. "
+            "plant.field makes clouds that have them.");
   }
 
   // Whether next to no picture shows the place above the top: then the cloud ends there for that reason.

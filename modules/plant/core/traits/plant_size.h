@@ -21,9 +21,10 @@ struct SizeInputs {
 struct PlantSize {
   Interval height, length, width;  // high is NaN where the plant is cut off
   Extents extents;
+  bool outline_told = false;  // whether pictures have told what the cloud lacks
 };
 
-// Finds in `report`: plant_cut_off, cloud_and_pictures_differ.
+// Finds in `report`: plant_cut_off, cloud_and_pictures_differ, loose_parts_in_pictures.
 PlantSize measure_plant_size(const SizeInputs& inputs, Report& report, const Run& run);
 
 // The 95 % interval of a length whose scale is known to `scale_sd` percent.

@@ -217,6 +217,15 @@ class Measurement {
                        ". Clouds made of depth show thin stems too wide; the interval says by how much.");
   }
 
+  // Where parts of the plant hang in the air, others may be missing altogether; outlines would have told.
+  void bound_breadth_of_pieces() {
+    if (leaves_.organs.lost_share <= max_lost_share || size_.outline_told) return;
+    size_.length.high = size_.width.high = no_number;
+    report_.find(
+        Severity::look, "breadth_of_pieces",
+        "The cloud has the plant in pieces, and no pictures tell what it lacks: the breadth is a lower bound.");
+  }
+
   void measure_organs() {
     leaf_inputs_.plant = &plant_;
     leaf_inputs_.R_world_plant = T_plant_world_.linear().transpose();
@@ -226,6 +235,7 @@ class Measurement {
     leaf_inputs_.max_gap = 0.8 * stem_unit();
     leaf_inputs_.scale_sd = options_.scale_sd / 100;
     leaves_ = measure_leaves(leaf_inputs_, run_.part(0.8, 0.9), report_);
+    bound_breadth_of_pieces();
   }
 
   // Where the pictures show the stem and its way up is known.
