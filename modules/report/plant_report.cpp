@@ -12,6 +12,7 @@
 #include "io/core/tables/trajectory_file.h"
 #include "render/charts/match_figure.h"
 #include "render/charts/plant_charts.h"
+#include "render/charts/stem_in_depth.h"
 #include "report/core/page_warnings.h"
 #include "report/core/simple_page.h"
 #include "report/figure_rows.h"
@@ -165,6 +166,8 @@ class PlantReport {
       writer_.attempt("stem", [&] {
         writer_.save(render::stem_chart(*stem, o_.figure_width / 2), {.dpi = o_.dpi, .wide = false});
       });
+    if (table("contours") != nullptr && inputs_.has("views"))
+      writer_.attempt("stem in depth", [&] { draw_stem_in_depth(); });
     if (table("matches") != nullptr && inputs_.has("views")) writer_.attempt("matches", [&] { draw_matches(); });
     if (const auto* held_out = table("held_out"); held_out != nullptr && held_out->rows() > 0)
       writer_.attempt("held-out views", [&] {
@@ -193,6 +196,24 @@ class PlantReport {
     if (view_a.color.empty() || view_b.color.empty()) return;
     writer_.save(render::match_figure(*pair, view_a.color, view_b.color, o_.figure_width),
                  {.dpi = std::min(o_.dpi, page_dpi), .vectors = false});
+  }
+
+  // Only where the scale is known: the diameter says how far the stem is.
+  void draw_stem_in_depth() {
+    const auto* traits = table("traits");
+    const auto edges = render::largest_stem(*table("contours"));
+    const auto& views = inputs_.views("views");
+    if (!edges || traits == nullptr || traits->rows() == 0 || !traits->has("stem_diameter_mm") || !views.has_depth() ||
+        edges->view >= static_cast<std::int64_t>(views.size()) || texts_or_empty(*traits, "scale").front() != "known")
+      return;
+    const double diameter_m = traits->numbers("stem_diameter_mm").front() / 1000;
+    const auto i = static_cast<std::size_t>(edges->view);
+    View view;
+    views.read(i, view, {.color = true, .depth = true, .mask = false});
+    if (view.color.empty() || view.depth.empty() || !(diameter_m > 0)) return;
+    writer_.save(
+        render::stem_in_depth_figure(*edges, view.color, view.depth, views.camera(i), diameter_m, o_.figure_width),
+        {.dpi = std::min(o_.dpi, page_dpi), .vectors = false});
   }
 
   // The traits with their intervals, one below the other.
@@ -333,7 +354,11 @@ pipeline::StageType plant_report_stage() {
                  {"progress", DataKind::table, "Loss and PSNR over the steps.", true, {}},
                  {"tracking", DataKind::table, "One row per view: whether it has a pose.", true, {}},
                  {"matches", DataKind::table, "Matches of features, kept and refused.", true, {}},
-                 {"views", DataKind::views, "The views: two of them are shown with their matches.", true, {}},
+                 {"views",
+                  DataKind::views,
+                  "The views: two are shown with their matches, one with the stem in its depth.",
+                  true,
+                  {}},
                  {"stem", DataKind::table, "Sections of the stem.", true, {}},
                  {"leaves", DataKind::table, "Leaves.", true, {}},
                  {"internodes", DataKind::table, "Internodes.", true, {}},
