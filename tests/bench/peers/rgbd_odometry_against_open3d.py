@@ -3,14 +3,15 @@
 
   rgbd_odometry_against_open3d.py BUILD_DIR FOLDER [--step 1] [--max 1000] [--set option=value ...]
 
-The folder has the layout of 7-Scenes (frame-NNNNNN.color.jpg, .depth.png, .pose.txt), of TUM RGB-D with associate.txt, or that of
-slambook2 (color/1.png, pose.txt). Open3D chains its odometry from view to view (hybrid term: colour and depth); it comes from PyPI
+The folder has the layout of 7-Scenes (frame-NNNNNN.color.jpg, .depth.png, .pose.txt), of TUM RGB-D with associate.txt, that of
+slambook2 (color/1.png, pose.txt), or is a simulated seedling (color/, depth/, camera.json without lens distortion, poses.tum). Open3D chains its odometry from view to view (hybrid term: colour and depth); it comes from PyPI
 (`pip install open3d` in an environment of its own, whose Python runs this file); without it nothing is run, and this is said.
 ATE: root mean square distance after the best rigid motion. Step: median error from one view to the next. Depth: every tenth view
 compared with the one ten views before, by the poses: median difference, and share of pixels within 3 cm.
 """
 
 import argparse
+import json
 import pathlib
 import subprocess
 import sys
@@ -53,6 +54,12 @@ class Views:
             self.camera = (481.2, -480.0, 319.5, 239.5, 5000.0)
             for i, row in enumerate(np.loadtxt(folder / "pose.txt"), 1):
                 self.add(i / 30, folder / f"color/{i}.png", folder / f"depth/{i}.png", matrix(row))
+        elif (folder / "camera.json").exists():
+            told = json.loads((folder / "camera.json").read_text())
+            self.camera = tuple(told[k] for k in ("fx", "fy", "cx", "cy", "depth_scale"))
+            for row in np.loadtxt(folder / "poses.tum"):
+                name = f"{round(30 * row[0]):06d}.png"
+                self.add(row[0], folder / "color" / name, folder / "depth" / name, matrix(row[1:]))
         else:
             self.camera = (585.0, 585.0, 320.0, 240.0, 1000.0)
             for i, color in enumerate(sorted(folder.glob("*.color.jpg"))):
