@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Real pictures and clouds of ../shared/data beside what is known of them, as rows of docs/dev/seedlings.md.
 
-    real_views.py --bin build/headless/bin --data ../shared/data --work WORK [--only tum9,lego,...] [--lego-seconds 200]
+    real_views.py --bin build/headless/bin --data ../shared/data --work WORK [--only tum9,lego,...] [--lego-steps 1700] [--lego-seconds 200]
 
 tum9, slambook5, scenes: error of the estimated poses after the best rigid motion (pose_accuracy), against motion capture, rendered
-poses and KinectFusion. lego: PSNR of the ten test views, by encoder (field_run; NeRF reaches 32.5 dB at 800 x 800 after a day).
+poses and KinectFusion. lego: PSNR of the ten test views, by encoder, and of the grid with and
+without the masks (field_run; NeRF reaches 32.5 dB at 800 x 800 after a day).
 romi_virtual: a cloud matched from pictures with exact cameras, beside the mesh of the plant. romi_real: poses from 60 photos without
 depth beside the positions of the robot. corn: the traits of a cloud given, beside its own extents. phenomenal is a test
 (Calibrate.RealCornersOfPhenomenal). A row whose data are absent says so.
@@ -15,6 +16,7 @@ import json
 import math
 import pathlib
 import re
+import shutil
 import subprocess
 import time
 
@@ -41,14 +43,45 @@ def poses(o, name, folder, *settings):
     return f"ATE {found[1]} mm; view to view {found[2]} mm, {found[3]} deg ({seconds:.0f} s)" if found else last_words(text)
 
 
+def without_masks(folder, out):
+    """A copy of the views with their transparent parts made white: nothing tells object and background apart any more."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+    from vtkmodules.vtkCommonDataModel import vtkImageData
+    from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+    for path in sorted(folder.rglob("*")):
+        copy = out / path.relative_to(folder)
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        if path.suffix != ".png":
+            if path.is_file():
+                shutil.copy(path, copy)
+            continue
+        reader = vtkPNGReader()
+        reader.SetFileName(str(path))
+        reader.Update()
+        rgba = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(float)
+        alpha = rgba[:, 3:] / 255
+        rgb = np.ascontiguousarray(np.rint(alpha * rgba[:, :3] + (1 - alpha) * 255).astype(np.uint8))
+        image = vtkImageData()
+        image.SetDimensions(reader.GetOutput().GetDimensions())
+        image.GetPointData().SetScalars(numpy_to_vtk(rgb))
+        writer = vtkPNGWriter()
+        writer.SetFileName(str(copy))
+        writer.SetInputData(image)
+        writer.Write()
+    return out
+
+
 def lego(o, folder):
     rows = []
-    for encoder in ("grid", "hash", "paper"):
-        text, seconds = ran([o.bin / "field_run", folder, o.work / f"lego_{encoder}", f"encoder={encoder}", "background=white", "exposure=false",
-                             "refine_poses=false", f"max_seconds={o.lego_seconds}", "steps=1000000"], o.work / f"lego_{encoder}.log")
+    for encoder, masks in (("grid", True), ("grid", False), ("hash", True), ("paper", True)):
+        name = f"{encoder}{'' if masks else ', no masks'}"
+        views = folder if masks else without_masks(folder, o.work / "lego_flat")
+        out = o.work / ("lego_" + name.replace(", ", "_").replace(" ", "_"))
+        text, seconds = ran([o.bin / "field_run", views, out, f"encoder={encoder}", "background=white", "exposure=false", "refine_poses=false",
+                             f"max_seconds={o.lego_seconds}", f"steps={o.lego_steps}"], out.with_suffix(".log"))
         found = re.search(r"held out: ([0-9.]+) dB", text)
         steps = re.search(r"^ +steps ([0-9]+)", text, re.MULTILINE)
-        rows.append(f"{encoder} {found[1]} dB ({steps[1]} steps, {seconds:.0f} s)" if found and steps else f"{encoder} {last_words(text)}")
+        rows.append(f"{name} {found[1]} dB ({steps[1]} steps, {seconds:.0f} s)" if found and steps else f"{name} {last_words(text)}")
     return "; ".join(rows)
 
 
@@ -148,6 +181,7 @@ def main():
     parser.add_argument("--data", required=True, type=pathlib.Path)
     parser.add_argument("--work", required=True, type=pathlib.Path)
     parser.add_argument("--only", default="")
+    parser.add_argument("--lego-steps", type=int, default=1700)
     parser.add_argument("--lego-seconds", type=int, default=200)
     o = parser.parse_args()
     o.work = o.work.resolve()
