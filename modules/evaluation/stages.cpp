@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -6,7 +8,9 @@
 #include "evaluation/core/evaluate_rows.h"
 #include "evaluation/core/evaluate_stems.h"
 #include "evaluation/core/evaluate_trajectory.h"
+#include "evaluation/core/field_table.h"
 #include "evaluation/core/published.h"
+#include "evaluation/core/same_plot.h"
 #include "pipeline/stage.h"
 
 namespace bole::evaluation {
@@ -81,6 +85,29 @@ EvaluationOptions with_published_system(EvaluationOptions options, const DataSet
   return options;
 }
 
+// Pairs that met by chance give figures, too: they mean nothing.
+void tell_agreement(const DataSet& in, const StemEvaluation& found, const EvaluationOptions& options,
+                    const CountingRule& rule, Report& report) {
+  constexpr std::size_t min_trees = 6;  // of the shorter list, to judge by
+  const auto agreement = agreement_of(found);
+  if (agreement.smaller < min_trees) {
+    if (found.matched == 0)
+      report.warn(
+          "no stem matches a reference tree: are both in the same axes? align_stems and match_distance may help");
+    return;
+  }
+  if (100 * agreement.share() >= usual_agreement_pct) return;
+  auto own = options;
+  own.columns.clear(), own.rows.clear(), own.reference_columns.clear(), own.reference_rows.clear();
+  std::string ignored;
+  report.find(
+      Severity::look, "reference_disagrees",
+      fmt::format("{} of {} trees agree with the reference: its figures mean nothing; {}", agreement.matched,
+                  agreement.smaller,
+                  why_they_differ(field_table(in.table("stems"), options.columns, options.rows),
+                                  reference_in_our_columns(in.table("reference_stems"), options, ignored), own, rule)));
+}
+
 pipeline::StageResult evaluate_plot(const DataSet& in, const OptionSet& set, const Run& run) {
   const CountingRule rule = in.has("plot") ? counting_rule(in.table("plot")) : CountingRule{};
   pipeline::StageResult result;
@@ -101,8 +128,7 @@ pipeline::StageResult evaluate_plot(const DataSet& in, const OptionSet& set, con
       r.counts["false"] = static_cast<std::int64_t>(stems.extra);
       message = std::to_string(stems.matched) + " stems matched, " + std::to_string(stems.missed) + " missed, " +
                 std::to_string(stems.extra) + " false";
-      if (stems.matched == 0)
-        r.warn("no stem matches a reference tree: are both in the same axes? align_stems and match_distance may help");
+      tell_agreement(in, stems, options, rule, r);
       for (auto& w : stems.warnings) r.warn(std::move(w));
       matches = std::move(stems.matches);
       summary = std::move(stems.summary);

@@ -2,11 +2,12 @@
 #pragma once
 
 #include "evaluation/core/evaluation_options.h"
+#include "evaluation/core/same_plot.h"
 
 namespace bole::evaluation {
 
 struct CompareOptions : EvaluationOptions {
-  double min_agreement_pct = 50;
+  double min_agreement_pct = usual_agreement_pct;
 };
 
 const OptionTable& option_table(const CompareOptions*);

@@ -100,7 +100,7 @@ std::string why_they_differ(const Table& estimate, const Table& reference, const
     };
     return fmt::format(
         "they are in other axes: turned by {:.1f} deg and moved by ({:.2f}, {:.2f}) m, {} trees agree. "
-        "compare.align_stems=search compares them so",
+        "align_stems=search compares them so",
         value("align_turn"), value("align_shift_x"), value("align_shift_y"), turned.matched);
   }
   return "neither another unit nor another place of the axes brings them together: they are of different plots";

@@ -10,6 +10,9 @@
 
 namespace bole::evaluation {
 
+// Of the trees of the shorter list: where fewer agree, figures of a comparison are those of pairs that met by chance.
+constexpr double usual_agreement_pct = 50;
+
 // The matched trees by those of the list that has fewer of them.
 struct Agreement {
   std::size_t matched = 0, smaller = 0;

@@ -93,6 +93,32 @@ TEST_F(EvaluationStage, OtherAxesAreSuspectedWhenNothingMatches) {
   EXPECT_THAT(run(in).report.warnings, testing::Contains(testing::HasSubstr("same axes")));
 }
 
+// Twelve trees on a spiral, turned.
+Table spiral(double turn_rad) {
+  std::vector<std::int64_t> id;
+  std::vector<double> x, y, dbh;
+  for (int i = 0; i < 12; ++i) {
+    const double angle = 0.9 * i + turn_rad, distance = 2 + 0.7 * i;
+    id.push_back(i + 1), x.push_back(distance * std::cos(angle)), y.push_back(distance * std::sin(angle));
+    dbh.push_back(15 + 1.3 * ((7 * i) % 12));
+  }
+  Table t;
+  t.set("tree_id", id), t.set("x_m", x), t.set("y_m", y), t.set("dbh_cm", dbh);
+  return t;
+}
+
+TEST_F(EvaluationStage, PairsThatMetByChanceAreTold) {
+  DataSet in;
+  in.set("stems", spiral(0)), in.set("reference_stems", spiral(0));
+  EXPECT_TRUE(run(in).report.findings.empty());
+  in.set("reference_stems", spiral(0.7));
+  const auto turned = run(in);
+  ASSERT_EQ(turned.report.findings.size(), 1U);
+  EXPECT_EQ(turned.report.findings.front().code, "reference_disagrees");
+  EXPECT_THAT(turned.report.findings.front().text, testing::HasSubstr("turned by 40.1 deg"));
+  EXPECT_EQ(turned.report.findings.front().severity, Severity::look);
+}
+
 // A field list with names, units and a polar origin of its own gives the errors of the list in our own columns.
 TEST_F(EvaluationStage, ComparesWithAListWhoseColumnsAreMapped) {
   Table stems;
