@@ -222,6 +222,8 @@ def figures(arguments, out, scan):
     summary = json.loads((out / "summary.json").read_text())
     stages = {s["id"]: s for s in summary["stages"]}
     found = {name: m["value"] for name, m in stages["evaluate"]["metrics"].items()}
+    # Trees that met a reference by chance: the map lies in other axes, or is bent out of them.
+    found["other_axes"] = any(f.get("code") == "reference_disagrees" for f in stages["evaluate"].get("findings", []))
     slam = stages["slam"]
     found["ms_per_frame"] = 1000 * slam["seconds"] / max(1, slam["counts"]["frames"])
     found["loops"] = slam["counts"].get("loops", 0)
@@ -359,8 +361,8 @@ def main():
 
 
 def whole(runs):
-    """Without the runs that lost their track: their trees are those of a part of the walk."""
-    return {key: [r for r in of if r and not r.get("ended_early")] for key, of in runs.items()}
+    """Without the runs that lost their track, whose trees are those of a part of the walk, and those whose trees met the reference by chance."""
+    return {key: [r for r in of if r and not r.get("ended_early") and not r.get("other_axes")] for key, of in runs.items()}
 
 
 def all_runs(arguments, variants, clock):
@@ -397,6 +399,9 @@ def page_text(arguments, variants, of_rate, text):
             state = f"{len(done)} of {len(arguments.seeds)} seeds"
             if lost:
                 state += f", {len(lost)} lost the track after " + " and ".join(f"{r['frames']} frames" for r in lost)
+            elsewhere = sum(1 for r in of if r and r.get("other_axes") and not r.get("ended_early"))
+            if elsewhere:
+                state += f", {elsewhere} whose map lies in other axes than the reference"
             if None in of:
                 state += f", {of.count(None)} failed"
             seconds = median(done + lost, "seconds")
