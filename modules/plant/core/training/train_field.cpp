@@ -217,10 +217,13 @@ void report_held_out(const TrainedField& field, int steps, Report& report) {
   report.metrics["held_out_psnr_db"] = {field.psnr, Unit::none};
   if (std::isfinite(field.region_psnr)) report.metrics["held_out_region_psnr_db"] = {field.region_psnr, Unit::none};
   report.message = fmt::format("{} steps, {:.1f} dB on {} views kept back", steps, field.psnr, field.held_out.rows());
-  if (field.psnr < 20)
+  // Fields of twenty simulated seedlings reach 29 to 31 dB; one that had 20 was 2 % too low, outside of its interval.
+  constexpr double poor_db = 25;
+  if (field.psnr < poor_db)
     report.find(Severity::look, "field_does_not_fit",
-                fmt::format("Views kept back are shown with {:.1f} dB only (28 or more is usual). Check the poses, the "
-                            "region, and whether the plant moved.",
+                fmt::format("Views kept back are shown with {:.1f} dB only (28 or more is usual): sizes may be farther "
+                            "off than their intervals say. Train longer, or check the poses, the region, and whether "
+                            "the plant moved.",
                             field.psnr));
 }
 

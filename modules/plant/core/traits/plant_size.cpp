@@ -71,14 +71,15 @@ class SizeMeasurement {
   void reach_to_what_is_loose() {
     if (!outline_.told) return;
     constexpr double clearly = 2.5;
-    const auto reach = [](Interval& size, double with_loose, double sd) {
-      if (with_loose < size.high + clearly * sd) return false;
-      size.high = with_loose + 2 * sd;
+    // Room that pictures leave above or behind the plant itself is none of it.
+    const auto reach = [](Interval& size, double with_loose, const Extent& outline) {
+      if (with_loose < std::max(size.high, outline.value) + clearly * outline.sd) return false;
+      size.high = with_loose + 2 * outline.sd;
       return true;
     };
-    const bool top = reach(out_.height, outline_.with_loose.top, outline_.top.sd),
-               length = reach(out_.length, outline_.with_loose.length, outline_.length.sd),
-               width = reach(out_.width, outline_.with_loose.width, outline_.width.sd);
+    const bool top = reach(out_.height, outline_.with_loose.top, outline_.top),
+               length = reach(out_.length, outline_.with_loose.length, outline_.length),
+               width = reach(out_.width, outline_.with_loose.width, outline_.width);
     if (!top && !length && !width) return;
     report_.find(
         Severity::look, "loose_parts_in_pictures",
