@@ -19,7 +19,7 @@ constexpr double trusted_share = 0.7;               // of the weights of the bes
 constexpr double stem_reach_m = 0.015;              // of a depth from the stem's: nearer ones are taken for its own
 constexpr double nearer_m = 0.05, farther_m = 0.2;  // than the stem: ends of the colours
 constexpr double crop_widths = 9;                   // half of the crop, in widths of the stem
-constexpr double panel_gap_mm = 3, bar_mm = 3, bar_room_mm = 15;
+constexpr double beside_gap_mm = 3, bar_mm = 3, bar_room_mm = 15;
 constexpr int min_picture_px = 400;
 constexpr Color no_depth = hex(0xd5d9dc);
 
@@ -166,7 +166,7 @@ Figure stem_in_depth_figure(const StemEdges& edges, const ColorImage& color, con
     const double z = seen.at(x, y);
     return z > 0 ? ColorMap::viridis().at((z - range.lo) / (range.hi - range.lo)) : no_depth;
   });
-  const double side_mm = (width_mm - panel_gap_mm - bar_room_mm) / 2, mm_per_px = side_mm / crop.width;
+  const double side_mm = (width_mm - beside_gap_mm - bar_room_mm) / 2, mm_per_px = side_mm / crop.width;
   Figure figure;
   figure.name = "stem_in_depth";
   figure.title = "The stem in colour and in depth";
@@ -179,14 +179,14 @@ Figure stem_in_depth_figure(const StemEdges& edges, const ColorImage& color, con
   figure.vector = false;
   figure.draw = [=](Canvas& canvas) {
     const double height_mm = mm_per_px * crop.height;
-    for (const auto& [image, left_mm] : {std::pair{&picture, 0.0}, {&distances, side_mm + panel_gap_mm}}) {
+    for (const auto& [image, left_mm] : {std::pair{&picture, 0.0}, {&distances, side_mm + beside_gap_mm}}) {
       canvas.image(*image, {left_mm, 0, left_mm + side_mm, height_mm});
       for (const auto* side : {&edges.left, &edges.right})
         for (const auto& p : *side)
           canvas.circle(Eigen::Vector2d(left_mm, 0) + mm_per_px * (p - Eigen::Vector2d(crop.x0 - 0.5, crop.y0 - 0.5)),
                         0.45, ink::accent);
     }
-    const double bar_left_mm = 2 * side_mm + panel_gap_mm + 3;
+    const double bar_left_mm = 2 * side_mm + beside_gap_mm + 3;
     draw_color_bar(canvas, {bar_left_mm, 6, bar_left_mm + bar_mm, height_mm - 3}, ColorMap::viridis(), range, "metres");
   };
   return figure;
