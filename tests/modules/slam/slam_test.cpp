@@ -204,6 +204,9 @@ TEST(Slam, ALongCorridorIsRefusedAndAPlotIsNot) {
     }
     const auto plot = straight_walk(synthetic::trunks(9, 3.5), preset, SpinningSensor::vlp32c(900));
     EXPECT_EQ(plot.counts.at("frames_failed"), 0) << name << " " << plot.metrics.at("weakest_observability").value;
+    // Those that follow a paper say that they are for comparison.
+    const auto told = std::ranges::count(plot.findings, "preset_for_comparison", &Finding::code);
+    EXPECT_EQ(told, preset == Preset::best ? 0 : 1) << name;
   }
 }
 
