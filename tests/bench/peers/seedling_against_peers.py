@@ -99,8 +99,8 @@ def open3d_cloud(plant, camera, voxel_m, path):
         T = np.eye(4)
         T[:3, :3], T[:3, 3] = rotation(row[7], *row[4:7]), row[1:4]
         extrinsic = core.Tensor(np.linalg.inv(T), core.float64)
-        blocks = grid.compute_unique_block_coordinates(depth, intrinsic, extrinsic, camera["depth_scale"], MOST_DEPTH_M, cut)
-        grid.integrate(blocks, depth, color, intrinsic, extrinsic, camera["depth_scale"], MOST_DEPTH_M, cut)
+        blocks = grid.compute_unique_block_coordinates(depth, intrinsic, extrinsic, float(camera["depth_scale"]), MOST_DEPTH_M, cut)
+        grid.integrate(blocks, depth, color, intrinsic, extrinsic, float(camera["depth_scale"]), MOST_DEPTH_M, cut)
     o3d.io.write_point_cloud(str(path), grid.extract_point_cloud(2.0).to_legacy())
 
 
