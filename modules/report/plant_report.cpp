@@ -210,7 +210,9 @@ class PlantReport {
     const auto i = static_cast<std::size_t>(edges->view);
     View view;
     views.read(i, view, {.color = true, .depth = true, .mask = false});
-    if (view.color.empty() || view.depth.empty() || !(diameter_m > 0)) return;
+    const auto& camera = views.camera(i).color;
+    if (view.depth.empty() || !(diameter_m > 0)) return;
+    if (view.color.width != camera.width || view.color.height != camera.height) return;
     writer_.save(
         render::stem_in_depth_figure(*edges, view.color, view.depth, views.camera(i), diameter_m, o_.figure_width),
         {.dpi = std::min(o_.dpi, page_dpi), .vectors = false});

@@ -8,6 +8,7 @@
 
 #include "base/no_number.h"
 #include "base/statistics.h"
+#include "camera/registered_depth.h"
 #include "render/charts/columns.h"
 #include "render/draw/furniture.h"
 
@@ -36,8 +37,8 @@ Crop crop_of(const StemEdges& edges, int width, int height) {
   const double half = std::max({crop_widths * edges.width_px, (high - low).maxCoeff() / 2 + 2 * edges.width_px, 12.0});
   const auto clamped = [](double v, int most) { return std::clamp(static_cast<int>(std::lround(v)), 0, most); };
   Crop crop{clamped(middle.x() - half, width - 1), clamped(middle.y() - half, height - 1), 0, 0};
-  crop.width = clamped(middle.x() + half, width) - crop.x0;
-  crop.height = clamped(middle.y() + half, height) - crop.y0;
+  crop.width = std::max(1, clamped(middle.x() + half, width) - crop.x0);
+  crop.height = std::max(1, clamped(middle.y() + half, height) - crop.y0);
   return crop;
 }
 
@@ -110,28 +111,6 @@ std::optional<StemEdges> largest_stem(const Table& contours) {
   return best;
 }
 
-DepthImage depth_in_color(const DepthImage& depth, const RgbdCamera& camera) {
-  DepthImage out(camera.color.width, camera.color.height, 1, 0);
-  const auto& from = camera.of_depth();
-  // A pixel of a coarser depth camera covers several of the colour camera.
-  const int reach = std::max(0, static_cast<int>(std::lround(std::abs(camera.color.fx / from.fx))) - 1);
-  for (int y = 0; y < depth.height; ++y)
-    for (int x = 0; x < depth.width; ++x) {
-      const double z = depth.at(x, y);
-      if (!(z > 0)) continue;
-      const Eigen::Vector3d p = z * from.direction(Eigen::Vector2d(x, y));
-      const Eigen::Vector3d in_color = camera.depth ? camera.T_color_depth * p : p;
-      const auto at = camera.color.project(in_color);
-      if (!at || !camera.color.contains(*at)) continue;
-      const int u = static_cast<int>(std::lround(at->x())), v = static_cast<int>(std::lround(at->y()));
-      for (int b = v - reach; b <= v + reach; ++b)
-        for (int a = u - reach; a <= u + reach; ++a)
-          if (out.contains(a, b) && (out.at(a, b) == 0 || in_color.z() < out.at(a, b)))
-            out.at(a, b) = static_cast<float>(in_color.z());
-    }
-  return out;
-}
-
 StemInDepth stem_in_depth(const StemEdges& edges, const DepthImage& depth, const CameraModel& color,
                           double diameter_m) {
   const double distance_m = distance_of(edges, color, diameter_m);
@@ -155,7 +134,8 @@ StemInDepth stem_in_depth(const StemEdges& edges, const DepthImage& depth, const
 
 Figure stem_in_depth_figure(const StemEdges& edges, const ColorImage& color, const DepthImage& depth,
                             const RgbdCamera& camera, double diameter_m, double width_mm) {
-  const auto seen = depth_in_color(depth, camera);
+  const Pose T_color_depth = camera.depth ? camera.T_color_depth : Pose::Identity();
+  const auto seen = registered_depth(depth, {}, camera.of_depth(), T_color_depth, camera.color);
   const auto crop = crop_of(edges, color.width, color.height);
   const double distance_m = distance_of(edges, camera.color, diameter_m);
   const Interval range{distance_m - nearer_m, distance_m + farther_m};

@@ -33,14 +33,11 @@ struct StemInDepth {
   double width_mm = 0;   // median over the rows seen; no number where none is
 };
 
-// `depth` in metres (0: none) in the axes of the colour picture, see depth_in_color(). `diameter_m` tells how far the
+// `depth` in metres (0: none) as the colour camera sees it (registered_depth()). `diameter_m` tells how far the
 // stem is.
 StemInDepth stem_in_depth(const StemEdges& edges, const DepthImage& depth, const CameraModel& color, double diameter_m);
 
-// The depth image as the colour camera would see it: the nearest depth at each of its pixels, 0 where there is none.
-DepthImage depth_in_color(const DepthImage& depth, const RgbdCamera& camera);
-
-// Neither picture may be empty.
+// Neither picture may be empty; `color` has the size that its camera says.
 Figure stem_in_depth_figure(const StemEdges& edges, const ColorImage& color, const DepthImage& depth,
                             const RgbdCamera& camera, double diameter_m, double width_mm);
 

@@ -127,9 +127,9 @@ void tell_preset_for_comparison(Preset preset, Report& report) {
   report.find(
       Severity::look, "preset_for_comparison",
       "preset " + std::string(choice_name(preset)) +
-          " follows a published method, to be compared with: diameters in maps of such presets were up to 1.8 cm "
-          "too small on simulated plots, and as few as three of ten 95 % intervals held. Survey with "
-          "preset=best");
+          " repeats a published method, for comparison. In maps of these presets, diameters were up to 1.8 cm too "
+          "small on simulated plots, and as few as one in four 95 % intervals held the true diameter. For a survey "
+          "use preset=best");
 }
 
 }  // namespace

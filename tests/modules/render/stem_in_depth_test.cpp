@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include "camera/registered_depth.h"
 #include "render/draw/canvas.h"
 
 namespace bole::render {
@@ -66,7 +67,7 @@ TEST(StemInDepth, DepthOfACameraOfItsOwnIsSeenFromTheColourCamera) {
   camera.T_color_depth.translation() = Eigen::Vector3d(0.01, 0, 0);  // the depth camera stands 1 cm to the right
   DepthImage depth(80, 60, 1, 0);
   depth.at(40, 30) = 0.5F;
-  const auto seen = depth_in_color(depth, camera);
+  const auto seen = registered_depth(depth, {}, camera.of_depth(), camera.T_color_depth, camera.color);
   // (40 - 39.5) / 400 * 0.5 m + 1 cm, at 800 pixels: 17 pixels right of 79.5; a coarse pixel covers several fine ones.
   EXPECT_FLOAT_EQ(seen.at(97, 61), 0.5F);
   EXPECT_FLOAT_EQ(seen.at(90, 61), 0);

@@ -38,9 +38,4 @@ struct FieldViewOptions {
 std::vector<FieldView> load_field_views(const ViewSource& views, const std::vector<PosedView>& posed,
                                         const FieldViewOptions& options, const Run& run, Report& report);
 
-// The depth image as the colour camera would see it, in an image of that camera. Near surfaces hide those behind.
-// Depths that are left out become negative.
-DepthImage registered_depth(const DepthImage& depth, const MaskImage& left_out, const CameraModel& depth_camera,
-                            const Pose& T_color_depth, const CameraModel& color_camera);
-
 }  // namespace bole::plant
