@@ -47,7 +47,7 @@ pipeline::StageType measure_stage() {
       "surface (model); candidates that rays pass through are rejected. Passes of "
       "the walk that disagree by a centimetre or more are first brought together by the stems. Every point gets the id "
       "of its tree.";
-  t.version = 8;
+  t.version = 9;
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
   t.inputs = measure_ports();
   t.inputs.push_back(

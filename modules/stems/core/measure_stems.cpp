@@ -17,14 +17,15 @@
 #include "stems/core/detect/sensor_positions.h"
 #include "stems/core/edits/give_points.h"
 #include "stems/core/fit/forks.h"
-#include "stems/core/fit/learn_priors.h"
-#include "stems/core/fit/pass_alignment.h"
-#include "stems/core/fit/pass_sightings.h"
-#include "stems/core/fit/project_priors.h"
 #include "stems/core/fit/repeated_fits.h"
 #include "stems/core/fit/stem_quality.h"
 #include "stems/core/ground_check.h"
 #include "stems/core/sensor_facts.h"
+#include "stems/core/shared/learn_priors.h"
+#include "stems/core/shared/pass_alignment.h"
+#include "stems/core/shared/pass_sightings.h"
+#include "stems/core/shared/project_priors.h"
+#include "stems/core/shared/range_stretch.h"
 #include "stems/core/survey_report.h"
 #include "stems/core/tree/assign_points.h"
 #include "stems/core/tree/crown_form.h"
@@ -34,7 +35,7 @@
 namespace bole::stems {
 namespace {
 
-constexpr int max_alignments = 2;
+constexpr int max_alignments = 2, max_stretchings = 3;
 constexpr double unknown_once_aligned_m = 0.0007;  // of all radii alike: displacements take up some of the range offset
 constexpr double max_learnt_noise_m = 0.035;       // of the residuals' scale
 
@@ -58,8 +59,10 @@ class Survey {
     points_ = without_given_classes(points_, given_, run_);
     take_sensor();
     auto priors = search();
+    for (int round = 0; round < max_stretchings && take_out_stretch(); ++round) priors = search();
     if (pooled_ == nullptr)
       for (int round = 0; round < max_alignments && align_passes(priors); ++round) priors = search();
+    priors.stretch_doubt = stretch_doubt_;
     learn_noise();
     priors.noise_m = noise_m_;
     drop_repeated();
@@ -111,6 +114,22 @@ class Survey {
     noise_m_ = *noise_m;
     options_.max_sigma = std::max(options_.max_sigma, cap_by_noise * std::min(noise_m_, max_learnt_noise_m));
     out_.report.metrics["range_noise_seen"] = {100 * noise_m_, Unit::centimetre};
+  }
+
+  // A walk that the map makes too short lays far stems beyond near ones. False when nothing was moved.
+  bool take_out_stretch() {
+    if (!rays_.has_sensor() || !fits_along_rays(rays_, options_)) return false;
+    const auto stretch = pooled_ != nullptr ? pooled_->range_stretch.value_or(RangeStretchPrior{})
+                                            : learn_range_stretch(fitted_, options_, taken_out_);
+    const double more = stretch.mean - taken_out_;
+    const bool moves = std::abs(more) > (taken_out_ == 0 ? min_stretch_to_take_out : still_to_take_out);
+    if (moves) {
+      if (!points_.has(arrays::sensor_x)) add_sensor_columns(points_, sensor_of_point(), run_);
+      points_ = without_stretch(points_, more, run_), taken_out_ += more;
+    }
+    stretch_doubt_ = std::hypot(stretch.sd, stretch.mean - taken_out_);
+    tell_range_stretch(stretch, taken_out_, out_.report);
+    return moves;
   }
 
   // Where passes disagree by more than the search for circles forgives, they are brought together by the stems that
@@ -316,8 +335,9 @@ class Survey {
   PointCloud points_;  // with the passes brought together
   const PooledPriors* pooled_ = nullptr;
   std::vector<PassAlignment> alignments_;
-  double moved_m_ = 0;  // by which they were
-  double noise_m_ = 0;  // scatter of ranges on the bark, middle of the stems; 0: not known
+  double moved_m_ = 0;                        // by which they were
+  double taken_out_ = 0, stretch_doubt_ = 0;  // of the range stretch: in all; standard deviation of what is left
+  double noise_m_ = 0;                        // scatter of ranges on the bark, middle of the stems; 0: not known
   const Raster& dem_;
   const Trajectory* trajectory_;
   MeasureOptions options_;

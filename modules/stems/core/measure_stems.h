@@ -9,7 +9,7 @@
 #include "cloud/table.h"
 #include "cloud/trajectory.h"
 #include "stems/core/fit/fit_stem.h"
-#include "stems/core/fit/pooled_priors.h"
+#include "stems/core/shared/pooled_priors.h"
 #include "stems/core/tree/tree_tops.h"
 
 namespace bole::stems {

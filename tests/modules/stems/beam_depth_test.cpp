@@ -7,7 +7,7 @@
 #include <random>
 
 #include "stems/core/fit/cylinder_fit.h"
-#include "stems/core/fit/project_priors.h"
+#include "stems/core/shared/project_priors.h"
 #include "stems/core/sensor_facts.h"
 
 namespace bole::stems {

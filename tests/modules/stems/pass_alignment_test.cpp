@@ -1,4 +1,4 @@
-#include "stems/core/fit/pass_alignment.h"
+#include "stems/core/shared/pass_alignment.h"
 
 #include <gtest/gtest.h>
 

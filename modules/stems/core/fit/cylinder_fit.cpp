@@ -57,6 +57,39 @@ std::vector<Eigen::Vector2d> means_by_pass(const std::vector<int>& pass_of_view,
   return mean;
 }
 
+// Sums over the points on the range stretch, which is no parameter of the fit.
+struct StretchSums {
+  using Blocks = std::map<std::pair<int, int>, Eigen::VectorXd>;  // by pass and bearing, the pull on the parameters
+
+  explicit StretchSums(Eigen::Index parameters) : cross(Eigen::VectorXd::Zero(parameters)) {}
+
+  // One Newton step from a stretch of zero, with all parameters free to move along but the range offset: what stems say
+  // of that is how strongly they seem to curve, and its error of several millimetres would pass for a stretch where
+  // ranges differ little. `hessian` with the priors of the fit, at whose optimum the sums were taken.
+  RangeStretchEvidence evidence(Eigen::MatrixXd hessian, double range_offset_m, const Blocks& blocks,
+                                const Eigen::VectorXd& parameters_by_beam) const {
+    constexpr double offset_sd_m = 0.001;
+    hessian(6, 6) += 1 / square(offset_sd_m);
+    const Eigen::VectorXd gain = hessian.ldlt().solve(cross);
+    const double information = curvature - cross.dot(gain);
+    if (!(information > 1e-9 * curvature) || blocks.size() < 2) return {};
+    double sum = 0, meat = 0;
+    const auto count = static_cast<double>(blocks.size());
+    for (const auto& [key, g] : blocks) {
+      const double own = pull.at(key);
+      sum += own, meat += count / (count - 1) * square(own - gain.dot(g));
+    }
+    const double by_offset = gain[6] / square(offset_sd_m);
+    return {(by_offset * range_offset_m - sum) / information,
+            std::sqrt(std::max(meat / information, 1.0) / information),
+            std::hypot(by_beam - gain.dot(parameters_by_beam), by_offset * offset_sd_m) / information};
+  }
+
+  Eigen::VectorXd cross;  // second derivatives by the stretch and each parameter
+  double curvature = 0, by_beam = 0;
+  std::map<std::pair<int, int>, double> pull;
+};
+
 class JointFit {
  public:
   JointFit(const std::vector<BarkPoint>& points, const CylinderFitOptions& options, std::vector<int> pass_of_view)
@@ -308,6 +341,7 @@ void JointFit::describe(CylinderFit& fit) const {
   const auto n = static_cast<Eigen::Index>(size_);
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
   Eigen::VectorXd unused = Eigen::VectorXd::Zero(n), by_beam = unused;
+  StretchSums stretch(n);
   std::map<std::pair<int, int>, Eigen::VectorXd> by_section, by_bearing;
   fit.weight.assign(points_.size(), 0);
   const double s2 = fit.sigma_m * fit.sigma_m;
@@ -320,15 +354,20 @@ void JointFit::describe(CylinderFit& fit) const {
     if (!e.usable || std::abs(u) >= 1) continue;
     const double w = share_[i] * (1 - u * u) * (1 - u * u);
     fit.weight[i] = w, ++fit.inliers;
-    add(information_ * share_[i] * (1 - u * u) * (1 - 5 * u * u) / s2 * e.jacobian * e.jacobian.transpose(), p.view,
-        normal);
-    const Vector7 g = information_ * w * e.value / s2 * e.jacobian;
-    add(information_ * w * e.by_beam * p.beam_doubt / s2 * e.jacobian, p.view, by_beam);
+    const double curvature = information_ * share_[i] * (1 - u * u) * (1 - 5 * u * u) / s2;
+    add(curvature * e.jacobian * e.jacobian.transpose(), p.view, normal);
+    const double pull = information_ * w * e.value / s2, beam_pull = information_ * w * e.by_beam * p.beam_doubt / s2;
+    const Vector7 g = pull * e.jacobian;
+    add(beam_pull * e.jacobian, p.view, by_beam);
+    const double by_stretch = p.range * (p.ray.x() * e.jacobian[0] + p.ray.y() * e.jacobian[1]);
+    add(curvature * by_stretch * e.jacobian, p.view, stretch.cross);
+    stretch.curvature += curvature * by_stretch * by_stretch, stretch.by_beam += beam_pull * by_stretch;
     const auto bearing =
         static_cast<int>(std::floor(std::atan2(p.p.y() - c.y, p.p.x() - c.x) / (std::numbers::pi / 6)));
     auto& a = by_section.try_emplace({p.pass, p.section}, Eigen::VectorXd::Zero(n)).first->second;
     auto& b = by_bearing.try_emplace({p.pass, bearing}, Eigen::VectorXd::Zero(n)).first->second;
     add(g, p.view, a), add(g, p.view, b);
+    stretch.pull[{p.pass, bearing}] += pull * by_stretch;
   }
   Eigen::MatrixXd prior = Eigen::MatrixXd::Zero(n, n);
   add_prior(c, prior, unused);
@@ -357,6 +396,8 @@ void JointFit::describe(CylinderFit& fit) const {
       fit.range_offset.value_m =
           variance * (c.range_offset / posterior - options_.range_offset.mean_m / prior_variance);
     }
+    fit.radius_by_stretch_m = -inverse.row(4).dot(stretch.cross);
+    fit.range_stretch = stretch.evidence(normal + prior, c.range_offset, by_bearing, by_beam);
   }
   if (views_ < 2) return;
   fit.drift = drift_evidence(c, normal);

@@ -19,6 +19,7 @@ struct BarkPoint {
   int section = 0;
   std::int32_t cloud_pass = 0;  // of the cloud; 0 when not known
   double time = 0;              // likewise
+  float range = 0;              // from the sensor, metres; 0 when not known
   float beam_sd = 0;            // of the light across the beam at the point, metres; 0: a thin ray
   float beam_doubt = 0;         // standard deviation of beam_sd, metres: all points err alike
 };
@@ -45,6 +46,11 @@ struct DriftPrior {
 // Normal prior of the range offset.
 struct RangeOffsetPrior {
   double mean_m = 0, sd_m = 0.010;
+};
+
+// Normal prior of the range stretch (RangeStretchEvidence).
+struct RangeStretchPrior {
+  double mean = 0, sd = 0;
 };
 
 struct CylinderFitOptions {
@@ -77,6 +83,14 @@ struct RangeOffsetEvidence {
   double beam_doubt_m = 0;       // standard deviation of the value because the width of the beam is not known
 };
 
+// What the points alone say about the range stretch: by how much the cloud lays them too far from where the sensor
+// seemed to be, as a share of their range. A walk that SLAM makes too short does that: a stem seen from near and from
+// far then lies at two places.
+struct RangeStretchEvidence {
+  double value = 0, sd = 0;  // sd 0: nothing
+  double doubt = 0;          // likewise of what all stems have in common: the width of the beam, the range offset
+};
+
 struct CylinderFit {
   TaperedCylinder cylinder;
   double sigma_m = 0;        // robust scale of the residuals, capped
@@ -91,6 +105,8 @@ struct CylinderFit {
   std::vector<Eigen::Vector2d> pass_offset;  // mean of the views of each pass; empty with one view
   DriftEvidence drift;                       // empty with one view
   RangeOffsetEvidence range_offset;
+  RangeStretchEvidence range_stretch;
+  double radius_by_stretch_m = 0;  // of the radius, by the stretch that is taken out of the points
 };
 
 // Residual of one point and its derivatives by (x, y, slope_x, slope_y, radius, taper, range_offset); derivatives by

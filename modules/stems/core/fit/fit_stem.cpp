@@ -41,6 +41,14 @@ double blur_sd(double range_offset_m) {
   return unknown_share * std::max(0.0, std::abs(range_offset_m) - max_offset_of_a_good_map_m);
 }
 
+// Views of a good map agree to 2 mm. What they disagree by beyond that also bends what one view sees of the stem, and
+// no number of points averages that out. The share was read off two blurred maps of one plot and tried on others
+// (docs/dev/diameters.md, "Walks that are too short").
+double blurred_views_sd(double view_sd_m) {
+  constexpr double of_a_good_map_m = 0.002, share = 0.7;
+  return share * std::sqrt(std::max(0.0, view_sd_m * view_sd_m - of_a_good_map_m * of_a_good_map_m));
+}
+
 // Stems are not round: what is seen of one tells the mean of all sides only so well.
 double unseen_shape_sd(double radius_m, double arc_rad) {
   constexpr double out_of_round = 0.02;  // spread of the radius between sides, relative
@@ -160,8 +168,9 @@ class StemFitter {
       if (!next) break;
       const double radius = axis.radius;
       axis = line_of(attempt.axes, next->cylinder);
+      const bool still = settled(*next, radius);
       last = std::move(attempt), fit = std::move(next);
-      if (settled(*fit, radius)) break;
+      if (still) break;
     }
     if (fit) result.stem = describe(*last, *fit, axis);
     if (!result.stem && result.rejected.empty()) return no_cylinder();
@@ -308,7 +317,8 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   s.noise_m = fit.noise_m;
   s.radius = fit.cylinder.radius + (fit.along_rays ? bark_.relief_m : 0), s.taper = fit.cylinder.taper;
   s.rays_known = rays_.has_sensor(), s.passes = a.passes;
-  s.pass_offset = fit.pass_offset, s.drift = fit.drift, s.range_offset = fit.range_offset;
+  s.pass_offset = fit.pass_offset, s.drift = fit.drift, s.range_offset = fit.range_offset,
+  s.range_stretch = fit.range_stretch;
   s.pass_seen = seen_from(a);
   for (const auto& o : s.pass_offset) s.pass_spread_m = std::max(s.pass_spread_m, o.norm());
 
@@ -345,9 +355,12 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   double shrink = 0;
   contrary.judge(shrink, s.contrary_arc_rad);
   // A first look leaves the range offset open, and with it how far another beam would move the radius.
-  const double beam_doubt = priors_.learnt ? fit.beam_doubt_m : 0;
+  const double beam_doubt = priors_.learnt ? fit.beam_doubt_m : 0,
+               stretch_doubt = priors_.stretch_doubt * fit.radius_by_stretch_m,
+               blur = priors_.learnt && fit.along_rays ? blurred_views_sd(priors_.drift.view_sd_m) : 0;
   const double shared = std::hypot(std::hypot(options_.range_bias, bark_.relief_sd_m),
-                                   blur_sd(fit.cylinder.range_offset), beam_doubt),
+                                   std::hypot(blur_sd(fit.cylinder.range_offset), stretch_doubt),
+                                   std::hypot(beam_doubt, blur)),
                unseen = fit.along_rays ? s.radius * seen.shape_sd()
                                        : std::hypot(unseen_shape_sd(s.radius, covered_arc_rad(angles)),
                                                     unknown_beam_sd(fit.sigma_m)),

@@ -78,6 +78,7 @@ struct Stem {
   std::vector<PassSeen> pass_seen;              // by pass of the stem
   DriftEvidence drift;                          // what the views say about their displacements
   RangeOffsetEvidence range_offset;
+  RangeStretchEvidence range_stretch;
   int doubts = 0;  // faults that speak against a stem
   std::vector<Section> sections;
   StemCandidate candidate;
@@ -95,7 +96,8 @@ struct ProjectPriors {
   bool learnt = false;  // from stems; else what is assumed before any was seen
   DriftPrior drift;
   RangeOffsetPrior range_offset;
-  double noise_m = 0;  // scatter of ranges on the bark of most stems; 0: not known
+  double stretch_doubt = 0;  // standard deviation of the range stretch that is left in the points
+  double noise_m = 0;        // scatter of ranges on the bark of most stems; 0: not known
 };
 
 bool fits_along_rays(const CloudRays& rays, const MeasureOptions& options);

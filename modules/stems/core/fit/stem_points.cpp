@@ -99,7 +99,7 @@ std::vector<BarkPoint> gather_bark(NearPoints& near, const StemAxes& axes, const
     const auto& [p, ray, range, time, pass] = near[gathered[i].i];
     b.p = gathered[i].p, b.time = time, b.cloud_pass = pass;
     if (!rays || !(range > 0.1) || !std::isfinite(range)) continue;
-    b.ray = axes.rotation * ray / range;
+    b.ray = axes.rotation * ray / range, b.range = static_cast<float>(range);
     // Full widths of laser beams are those at 1/e^2: four standard deviations.
     b.beam_sd = static_cast<float>(0.25 * (options.beam_aperture + options.beam_divergence * range));
     b.beam_doubt = static_cast<float>(std::hypot(0.25 * options.beam_doubt * range, beam_form_doubt * b.beam_sd));

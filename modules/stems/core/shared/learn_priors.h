@@ -8,7 +8,7 @@
 #include "base/report.h"
 #include "base/run.h"
 #include "stems/core/fit/fit_stem.h"
-#include "stems/core/fit/pooled_priors.h"
+#include "stems/core/shared/pooled_priors.h"
 
 namespace bole::stems {
 
@@ -29,5 +29,8 @@ std::vector<StemEvidence> evidence_of(const std::vector<Stem>& fitted, const Mea
 
 // Scatter of the ranges on the bark, metres: the middle of the stems. Nothing where no fit was along rays.
 std::optional<double> seen_noise_m(const std::vector<Stem>& fitted, const MeasureOptions& options);
+
+// Of the cloud as it came; `taken_out` of the points that were fitted.
+RangeStretchPrior learn_range_stretch(const std::vector<Stem>& fitted, const MeasureOptions& options, double taken_out);
 
 }  // namespace bole::stems

@@ -1,4 +1,4 @@
-#include "stems/core/fit/learn_priors.h"
+#include "stems/core/shared/learn_priors.h"
 
 #include <fmt/format.h>
 
@@ -6,9 +6,10 @@
 #include <utility>
 
 #include "base/statistics.h"
-#include "stems/core/fit/project_priors.h"
 #include "stems/core/fit/stem_quality.h"
 #include "stems/core/sensor_facts.h"
+#include "stems/core/shared/project_priors.h"
+#include "stems/core/shared/range_stretch.h"
 
 namespace bole::stems {
 namespace {
@@ -69,6 +70,7 @@ std::vector<StemEvidence> evidence_of(const std::vector<Stem>& fitted, const Mea
     e.at = (origin + s.breast_height).head<2>();
     if (s.drift.target.size() > 0) e.drift = drift_likelihoods(s.drift);
     if (tells_range_offset(s)) e.range_offset = s.range_offset;
+    e.range_stretch = s.range_stretch;
     e.range_offset_expected_m = options.range_offset_sd.value_or(range_offset_of_many_lasers);
     if (s.along_rays) e.noise_m = s.noise_m;
   }
@@ -81,6 +83,17 @@ std::optional<double> seen_noise_m(const std::vector<Stem>& fitted, const Measur
     if (s.along_rays && !objection(s, options)) noise.push_back(s.noise_m);
   if (noise.empty()) return std::nullopt;
   return upper_median(std::move(noise));
+}
+
+RangeStretchPrior learn_range_stretch(const std::vector<Stem>& fitted, const MeasureOptions& options,
+                                      double taken_out) {
+  std::vector<RangeStretchEvidence> evidence;
+  for (const auto& s : fitted)
+    if (s.range_stretch.sd > 0 && s.arc_rad > all_round_rad && !objection(s, options)) {
+      evidence.push_back(s.range_stretch);
+      evidence.back().value += taken_out;
+    }
+  return mean_range_stretch(evidence);
 }
 
 }  // namespace bole::stems

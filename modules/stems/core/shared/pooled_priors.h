@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cloud/table.h"
-#include "stems/core/fit/project_priors.h"
+#include "stems/core/shared/project_priors.h"
 
 namespace bole::stems {
 
@@ -15,6 +15,7 @@ struct StemEvidence {
   Eigen::Vector2d at = Eigen::Vector2d::Zero();  // at breast height, coordinates of the cloud
   std::optional<DriftLikelihoods> drift;         // nothing: seen from one view
   RangeOffsetEvidence range_offset;              // sd 0: nothing
+  RangeStretchEvidence range_stretch;            // likewise
   double noise_m = 0;                            // scatter of ranges on the bark; 0: not known
   double range_offset_expected_m = 0;            // standard deviation, of the sensor; 0: not known
 };
@@ -23,6 +24,7 @@ struct StemEvidence {
 struct PooledPriors {
   std::optional<DriftPrior> drift;
   std::optional<RangeOffsetPrior> range_offset;
+  std::optional<RangeStretchPrior> range_stretch;
   double noise_m = 0;  // 0: not known
 };
 

@@ -1,4 +1,4 @@
-#include "stems/core/fit/pass_sightings.h"
+#include "stems/core/shared/pass_sightings.h"
 
 #include <algorithm>
 

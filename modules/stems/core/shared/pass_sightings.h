@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "stems/core/fit/fit_stem.h"
-#include "stems/core/fit/pass_alignment.h"
+#include "stems/core/shared/pass_alignment.h"
 
 namespace bole::stems {
 

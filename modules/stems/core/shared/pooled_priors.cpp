@@ -1,4 +1,4 @@
-#include "stems/core/fit/pooled_priors.h"
+#include "stems/core/shared/pooled_priors.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 #include "base/no_number.h"
 #include "base/statistics.h"
 #include "stems/core/sensor_facts.h"
+#include "stems/core/shared/range_stretch.h"
 
 namespace bole::stems {
 namespace {
@@ -38,6 +39,7 @@ PooledPriors pool(const std::vector<StemEvidence>& stems, std::optional<double> 
   PooledPriors out;
   DriftLikelihoods sum{};
   std::vector<RangeOffsetEvidence> offsets;
+  std::vector<RangeStretchEvidence> stretches;
   std::vector<double> noise, expected;
   bool drifts = false;
   for (const auto& s : stems) {
@@ -46,6 +48,7 @@ PooledPriors pool(const std::vector<StemEvidence>& stems, std::optional<double> 
       for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += (*s.drift)[k];
     }
     if (s.range_offset.sd_m > 0) offsets.push_back(s.range_offset);
+    if (s.range_stretch.sd > 0) stretches.push_back(s.range_stretch);
     if (s.noise_m > 0) noise.push_back(s.noise_m);
     if (s.range_offset_expected_m > 0) expected.push_back(s.range_offset_expected_m);
   }
@@ -54,6 +57,7 @@ PooledPriors pool(const std::vector<StemEvidence>& stems, std::optional<double> 
   if (!offsets.empty())
     out.range_offset =
         mean_range_offset(offsets, range_offset_sd_m.value_or(sd_m), out.drift.value_or(DriftPrior{}).view_sd_m);
+  if (!stretches.empty()) out.range_stretch = mean_range_stretch(stretches);
   if (!noise.empty()) out.noise_m = upper_median(std::move(noise));
   return out;
 }
@@ -70,6 +74,9 @@ Table evidence_table(const std::vector<StemEvidence>& stems) {
   add("range_offset_m", [](const StemEvidence& s) { return s.range_offset.value_m; });
   add("range_offset_sd_m", [](const StemEvidence& s) { return s.range_offset.sd_m; });
   add("range_offset_beam_doubt_m", [](const StemEvidence& s) { return s.range_offset.beam_doubt_m; });
+  add("range_stretch", [](const StemEvidence& s) { return s.range_stretch.value; });
+  add("range_stretch_sd", [](const StemEvidence& s) { return s.range_stretch.sd; });
+  add("range_stretch_doubt", [](const StemEvidence& s) { return s.range_stretch.doubt; });
   add("noise_m", [](const StemEvidence& s) { return s.noise_m; });
   add("range_offset_expected_m", [](const StemEvidence& s) { return s.range_offset_expected_m; });
   for (std::size_t k = 0; k < DriftLikelihoods{}.size(); ++k)
@@ -81,10 +88,14 @@ std::vector<StemEvidence> evidence_in(const Table& table) {
   const auto x = numbers_in(table, "x_m"), y = numbers_in(table, "y_m"), offset = numbers_in(table, "range_offset_m"),
              offset_sd = numbers_in(table, "range_offset_sd_m"), noise = numbers_in(table, "noise_m"),
              doubt = numbers_in(table, "range_offset_beam_doubt_m"),
-             expected = numbers_in(table, "range_offset_expected_m");
+             expected = numbers_in(table, "range_offset_expected_m"), stretch = numbers_in(table, "range_stretch"),
+             stretch_sd = numbers_in(table, "range_stretch_sd"),
+             stretch_doubt = numbers_in(table, "range_stretch_doubt");
   std::vector<StemEvidence> out(x.size());
   for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = {{x[i], y[i]}, std::nullopt, {offset[i], offset_sd[i], doubt[i]}, noise[i], expected[i]};
+    out[i] = {
+        {x[i], y[i]}, std::nullopt, {offset[i], offset_sd[i], doubt[i]}, {stretch[i], stretch_sd[i], stretch_doubt[i]},
+        noise[i],     expected[i]};
   for (std::size_t k = 0; k < DriftLikelihoods{}.size(); ++k) {
     const auto values = numbers_in(table, drift_column(k));
     for (std::size_t i = 0; i < out.size(); ++i) {
@@ -104,6 +115,8 @@ Table priors_table(const PooledPriors& priors, std::size_t stems) {
   add("drift_view_sd_m", priors.drift ? priors.drift->view_sd_m : no_number);
   add("range_offset_m", priors.range_offset ? priors.range_offset->mean_m : no_number);
   add("range_offset_sd_m", priors.range_offset ? priors.range_offset->sd_m : no_number);
+  add("range_stretch", priors.range_stretch ? priors.range_stretch->mean : no_number);
+  add("range_stretch_sd", priors.range_stretch ? priors.range_stretch->sd : no_number);
   add("noise_m", priors.noise_m);
   return t;
 }
@@ -112,9 +125,11 @@ PooledPriors priors_in(const Table& table) {
   PooledPriors out;
   const double pass = single(table, "drift_pass_sd_m"), view = single(table, "drift_view_sd_m"),
                offset = single(table, "range_offset_m"), offset_sd = single(table, "range_offset_sd_m"),
+               stretch = single(table, "range_stretch"), stretch_sd = single(table, "range_stretch_sd"),
                noise = single(table, "noise_m");
   if (std::isfinite(pass) && std::isfinite(view)) out.drift = DriftPrior{pass, view};
   if (std::isfinite(offset) && std::isfinite(offset_sd)) out.range_offset = RangeOffsetPrior{offset, offset_sd};
+  if (std::isfinite(stretch) && std::isfinite(stretch_sd)) out.range_stretch = RangeStretchPrior{stretch, stretch_sd};
   out.noise_m = std::isfinite(noise) ? noise : 0;
   return out;
 }
