@@ -97,20 +97,24 @@ std::vector<double> way_along(const std::vector<PosePair>& pairs) {
   return way_m;
 }
 
-// From every pose to the first one at least `distance_m` of way later. Nothing where the path is too short.
+// From every pose to the first one at least `distance_m` of way later. Nothing where the path is too short. The error
+// of length is that of the steps along themselves, so that noise across them does not count.
 void add_relative_errors_by_distance(const std::vector<PosePair>& pairs, double distance_m, SummaryRows& out) {
   const auto way_m = way_along(pairs);
   std::vector<double> translation, rotation;
+  double along = 0, square = 0;
   for (std::size_t i = 0, j = 0; i < pairs.size(); ++i) {
     while (j < pairs.size() && way_m[j] < way_m[i] + distance_m) ++j;
     if (j == pairs.size()) break;
-    const Pose error = (pairs[i].reference.inverse() * pairs[j].reference).inverse() *
-                       (pairs[i].estimate.inverse() * pairs[j].estimate);
+    const Pose step = pairs[i].reference.inverse() * pairs[j].reference,
+               estimated = pairs[i].estimate.inverse() * pairs[j].estimate, error = step.inverse() * estimated;
+    along += estimated.translation().dot(step.translation()), square += step.translation().squaredNorm();
     translation.push_back(error.translation().norm());
     rotation.push_back(angle_of(error) * deg_per_rad);
   }
   add_spread("rpe_distance_translation", translation, "m", out);
   add_spread("rpe_distance_rotation", rotation, "deg", out);
+  if (square > 0) out.add("length_error", 100 * (along / square - 1), "%");
 }
 
 // KITTI (Geiger et al. 2012): the error of the motion over segments of 1 to 8 times `segment_m`, started every tenth of

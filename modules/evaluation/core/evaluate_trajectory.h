@@ -18,8 +18,9 @@ struct TrajectoryEvaluation {
 
 // Every estimated pose is compared with the reference interpolated to its time. ATE: position error after the best
 // rigid motion (Umeyama 1991 without scale) or none. RPE: error of the motion over rpe_step seconds, over
-// rpe_distance of way, and of KITTI's segments where the path is long enough. Drift: error of the end point after the
-// start poses are made equal, by length walked. Throws Error{bad_input} when fewer than three poses overlap in time.
+// rpe_distance of way (and by how much these steps are too long as a whole), and of KITTI's segments where the path is
+// long enough. Drift: error of the end point after the start poses are made equal, by length walked. Throws
+// Error{bad_input} when fewer than three poses overlap in time.
 TrajectoryEvaluation evaluate_trajectory(const Trajectory& estimate, const Trajectory& reference,
                                          const EvaluationOptions& options);
 

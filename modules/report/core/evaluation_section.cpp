@@ -73,6 +73,7 @@ const Group& walk_group() {
        {"rpe_rotation_rmse", "The same, rotation, RMSE", 3},
        {"rpe_distance_translation_rmse", "Relative pose error (RPE) over a distance walked, translation, RMSE", 3},
        {"rpe_distance_rotation_rmse", "The same, rotation, RMSE", 3},
+       {"length_error", "Length of such steps, too long (negative: too short)", 2},
        {"kitti_segments", "Segments compared as KITTI does", 0},
        {"kitti_translation", "Mean error over these segments, translation", 3},
        {"kitti_rotation", "Mean error over these segments, rotation", 3},

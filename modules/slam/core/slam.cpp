@@ -127,9 +127,10 @@ void tell_preset_for_comparison(Preset preset, Report& report) {
   report.find(
       Severity::look, "preset_for_comparison",
       "preset " + std::string(choice_name(preset)) +
-          " repeats a published method, for comparison. In maps of these presets, diameters were up to 1.8 cm too "
-          "small on simulated plots, and as few as one in four 95 % intervals held the true diameter. For a survey "
-          "use preset=best");
+          " repeats a published method, for comparison. On simulated plots such presets made walks up to 0.5 % too "
+          "short "
+          "and bent the map by centimetres: distances are wrong by that, and diameters uncertain. For a survey use "
+          "preset=best");
 }
 
 }  // namespace

@@ -56,6 +56,15 @@ TEST(EvaluateTrajectory, HandComputedErrors) {
   EXPECT_NEAR(e.errors.numbers("error_x_m").back(), 0.3, 1e-9);
 }
 
+TEST(EvaluateTrajectory, AWalkThatIsTooShortIsSo) {
+  auto estimate = walk();
+  for (auto& p : estimate.poses) p.T_target_sensor.translation() *= 0.995;
+  EvaluationOptions options;
+  options.rpe_distance_m = 5;
+  EXPECT_NEAR(value(evaluate_trajectory(estimate, walk(), options).summary, "length_error"), -0.5, 1e-9);
+  EXPECT_NEAR(value(evaluate_trajectory(walk(), walk(), options).summary, "length_error"), 0, 1e-9);
+}
+
 TEST(EvaluateTrajectory, PosesAreInterpolatedToTheEstimatesTimes) {
   auto coarse = walk(0, 1.0);
   Trajectory estimate;
