@@ -1733,6 +1733,10 @@
             <translation>重走的间距</translation>
         </message>
         <message>
+            <source>Max length error</source>
+            <translation>最大长度误差</translation>
+        </message>
+        <message>
             <source>Max wall</source>
             <translation>最大树皮离散</translation>
         </message>
@@ -3792,6 +3796,10 @@
         <message>
             <source>Scatter of the points about the bark that is accepted (median over the stems). Allow more for a sensor with more noise.</source>
             <translation>可接受的点相对树皮的离散(单木中位数)。噪声较大的传感器应放宽。</translation>
+        </message>
+        <message>
+            <source>By how much the walk may be too long or too short, as a share of its length. Stems that were seen from near and from far tell it.</source>
+            <translation>行走路径过长或过短的允许比例。由从近处和远处都看到的单木得出。</translation>
         </message>
         <message>
             <source>Disagreement between a loop closure and the final trajectory that is accepted.</source>

@@ -128,6 +128,7 @@ class Survey {
       points_ = without_stretch(points_, more, run_), taken_out_ += more;
     }
     stretch_doubt_ = std::hypot(stretch.sd, stretch.mean - taken_out_);
+    out_.range_stretch = stretch.mean;
     tell_range_stretch(stretch, taken_out_, out_.report);
     return moves;
   }

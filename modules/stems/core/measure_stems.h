@@ -27,6 +27,7 @@ struct StemSurvey {
   std::vector<RejectedStem> rejected;
   PointCloud points;  // input with tree_id and stem
   double breast_height_m = usual_breast_height_m;
+  std::optional<double> range_stretch;  // of the cloud as it came, share of the range; nothing without rays
   Report report;
 };
 

@@ -94,6 +94,7 @@ struct PlotMaker {
         seen.push_back(1);
       }
     plot.stems.set("tree_id", id);
+    set_fact(plot.stems.facts, facts::range_stretch, 0.01);
     plot.stems.set("x_m", x), plot.stems.set("y_m", y), plot.stems.set("dbh_cm", dbh);
     plot.stems.set("lean_deg", lean), plot.stems.set("lean_azimuth_deg", azimuth), plot.stems.set("height_seen", seen);
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/verdict.h"
+#include "cloud/core/walk_facts.h"
 #include "cloud/known_facts.h"
 #include "modules/survey/check_plot.h"
 #include "survey/core/plot_options.h"
@@ -142,6 +143,22 @@ TEST(CheckSurvey, AStandThatLeansUnderAKnownGravityIsNoTiltedFrame) {
   EXPECT_NEAR(check.report.metrics.at("common_lean").value, 2, 0.6);
   set_fact(plot.points.facts, facts::level_sigma, 1);  // tells the lean from nothing
   EXPECT_TRUE(row_of(checked(plot), "frame_tilted"));
+}
+
+TEST(CheckSurvey, AWalkThatIsTooShortIsFound) {
+  auto plot = PlotMaker(11).make();
+  set_fact(plot.stems.facts, facts::range_stretch, 0.02);
+  EXPECT_EQ(verdict(checked(plot)), "sign");
+  for (const double stretch_pct : {0.4, -0.4}) {
+    set_fact(plot.stems.facts, facts::range_stretch, stretch_pct);
+    const auto check = checked(plot);
+    ASSERT_TRUE(row_of(check, "walk_length")) << all_findings(check);
+    EXPECT_EQ(verdict(check), "look");
+    EXPECT_NEAR(check.report.metrics.at("length_error").value, -stretch_pct, 1e-9);
+  }
+  CheckOptions o;
+  o.max_length_error_pct = 0.5;
+  EXPECT_FALSE(row_of(checked(plot, o), "walk_length"));
 }
 
 TEST(CheckSurvey, TargetsThatAreMissingOrMovedAreFound) {

@@ -3,6 +3,7 @@
 
 #include "base/angles.h"
 #include "base/no_number.h"
+#include "cloud/core/walk_facts.h"
 #include "cloud/known_facts.h"
 #include "stems/core/measure_stems.h"
 
@@ -48,6 +49,7 @@ Facts facts_of(const StemSurvey& survey) {
   set_fact(facts, facts::axes, axes_name(survey.points.axes));
   if (!survey.points.crs_wkt.empty()) set_fact(facts, facts::crs, survey.points.crs_wkt);
   set_fact(facts, facts::breast_height, survey.breast_height_m);
+  if (survey.range_stretch) set_fact(facts, facts::range_stretch, 100 * *survey.range_stretch);
   return facts;
 }
 

@@ -82,6 +82,13 @@ const OptionTable& option_table(const CheckOptions*) {
              Tier::basic,
              "Scatter of the points about the bark that is accepted (median over the stems). Allow more for a sensor "
              "with more noise."},
+      Number{"max_length_error",
+             &S::max_length_error_pct,
+             Unit::percent,
+             {0.01, 100},
+             Tier::basic,
+             "By how much the walk may be too long or too short, as a share of its length. Stems that were seen from "
+             "near and from far tell it."},
       Number{"max_loop_residual",
              &S::max_loop_residual,
              Unit::metre,

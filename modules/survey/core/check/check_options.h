@@ -31,6 +31,7 @@ struct CheckOptions {
   double max_pass_spread_cm = 3.0;
   double walk_again_spread_cm = 10.0;
   double max_wall_cm = 2.0;
+  double max_length_error_pct = 0.05;
   double max_loop_residual = 0.10;
   double max_loop_turn_deg = 1.0;
   double max_tilt_deg = 1.0;

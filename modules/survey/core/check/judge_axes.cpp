@@ -5,6 +5,7 @@
 
 #include "base/angles.h"
 #include "base/no_number.h"
+#include "cloud/core/walk_facts.h"
 #include "cloud/known_facts.h"
 #include "cloud/robust_mean.h"
 #include "cloud/stem_rows.h"
@@ -112,6 +113,19 @@ void judge_targets(const CheckedMap& map, CheckFindings& out) {
       Eigen::Vector2d(x[1], y[1]));
 }
 
+// Distances, areas and values per hectare of a map rest on the length of the walk; stems.measure has it from the stems.
+void judge_length(const CheckedMap& map, CheckFindings& out) {
+  const auto stretch = map.in.stems == nullptr ? std::nullopt : fact_number(map.in.stems->facts, facts::range_stretch);
+  if (!stretch) return out.skip("length of the walk", "no stems were measured along rays");
+  map.report.metrics["length_error"] = {-*stretch, Unit::percent};
+  if (std::abs(*stretch) <= map.options.max_length_error_pct) return;
+  const char* is = *stretch > 0 ? "short" : "long";
+  out.add(Severity::look, "walk_length",
+          fmt::format("the walk is {:.2f} % too {} in the map, and distances between stems with it: {:.1f} cm in 30 m, "
+                      "and {:.1f} % in values per hectare. Run SLAM with preset=best, or compare with control points",
+                      std::abs(*stretch), is, 30 * std::abs(*stretch), 2 * std::abs(*stretch)));
+}
+
 }  // namespace
 
 void judge_loops(const CheckedMap& map, CheckFindings& out) {
@@ -145,6 +159,7 @@ void judge_loops(const CheckedMap& map, CheckFindings& out) {
 void judge_axes(const CheckedMap& map, CheckFindings& out) {
   judge_level(map, out);
   judge_targets(map, out);
+  judge_length(map, out);
 }
 
 }  // namespace bole::survey

@@ -24,7 +24,7 @@ void judge_cover(const CheckedMap& map, CheckFindings& findings);
 void judge_sharpness(const CheckedMap& map, CheckFindings& findings);
 // Loop closures against the final trajectory.
 void judge_loops(const CheckedMap& map, CheckFindings& findings);
-// Common lean of the stems, targets and their distance.
+// Common lean of the stems, targets and their distance, length of the walk.
 void judge_axes(const CheckedMap& map, CheckFindings& findings);
 // Pairs too close, stems without ground, heights without tops, structures without a stem.
 void judge_stems(const CheckedMap& map, const std::vector<MissedStem>& missed, CheckFindings& findings);

@@ -1,0 +1,16 @@
+// Facts about the walk that a map was made from.
+#pragma once
+
+#include "cloud/known_facts.h"
+
+namespace bole {
+inline namespace cloud {
+namespace facts {
+
+inline constexpr FactInfo range_stretch{"range_stretch_pct", "%", -50, 50,
+                                        "By how much the cloud lays points too far, as a share of their range: a walk "
+                                        "that is too short."};
+
+}  // namespace facts
+}  // namespace cloud
+}  // namespace bole
