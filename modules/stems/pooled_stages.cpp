@@ -20,9 +20,9 @@ pipeline::StageType evidence_stage() {
   t.title = "Evidence of the stems";
   t.help =
       "The first look of stems.measure, with the same options: finds stems and gives for each what it says about the "
-      "errors that all stems share (spread of passes and views, range offset, noise of the ranges). Run it on parts of "
-      "a "
-      "cloud, and pool the rows of all parts with stems.pool_priors.";
+      "errors that all stems share (spread of passes and views, range offset, length of the walk, noise of the "
+      "ranges). "
+      "Run it on parts of a cloud, and pool the rows of all parts with stems.pool_priors.";
   t.source = "Bole";
   t.inputs = measure_ports();
   t.outputs = {{"evidence", DataKind::table, "A row per stem, at its position.", false, {}}};
@@ -57,8 +57,8 @@ pipeline::StageType pool_stage() {
   t.title = "Pool the priors";
   t.help =
       "Puts together what stems say in several parts of a cloud: the spread of passes and views that makes the "
-      "evidence "
-      "of all likeliest, the mean range offset and the middle noise. stems.measure takes the row in place of what it "
+      "evidence of all likeliest, the mean range offset, how much the walk is too short and the middle noise. "
+      "stems.measure takes the row in place of what it "
       "would learn from its own stems.";
   t.source = "Bole";
   t.inputs = {{"evidence", DataKind::table, "Rows of stems.evidence, of all parts.", false, {}}};
@@ -73,6 +73,8 @@ pipeline::StageType pool_stage() {
     if (priors.drift) result.report.metrics["drift_between_passes"] = {100 * priors.drift->pass_sd_m, Unit::centimetre};
     if (priors.range_offset)
       result.report.metrics["range_offset"] = {100 * priors.range_offset->mean_m, Unit::centimetre};
+    if (priors.range_stretch)
+      result.report.metrics["range_stretch"] = {100 * priors.range_stretch->mean, Unit::percent};
     result.outputs.set("priors", priors_table(priors, stems.size()));
     return result;
   };

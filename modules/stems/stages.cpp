@@ -45,7 +45,8 @@ pipeline::StageType measure_stage() {
       "pass and view whose spread is estimated over all stems. Where sensor positions are known, the error along the "
       "ray is fitted, with a beam of finite width and a range offset that all stems share, else the distance from the "
       "surface (model); candidates that rays pass through are rejected. Passes of "
-      "the walk that disagree by a centimetre or more are first brought together by the stems. Every point gets the id "
+      "the walk that disagree by a centimetre or more are first brought together by the stems, and a walk that the map "
+      "makes too short or too long is corrected. Every point gets the id "
       "of its tree.";
   t.version = 9;
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
