@@ -20,6 +20,7 @@ namespace {
 pipeline::StageType fuse_stage() {
   pipeline::StageType t;
   t.name = "plant.fuse_depth";
+  t.version = 2;
   t.vtk_class = "vtkBoleFuseDepth";
   t.title = "Fuse depth images";
   t.help =

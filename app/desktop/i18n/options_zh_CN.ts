@@ -3430,8 +3430,8 @@
             <translation>同时生成网格：输出 vertices 和 triangles。</translation>
         </message>
         <message>
-            <source>How far from a measured depth the distance is recorded. A larger value closes gaps and thickens thin parts. auto: 4 voxels, or 3 standard deviations of the depth.</source>
-            <translation>在测得深度前后多远处记录距离。较大的值能填补空隙，但会使细部变粗。auto：4 个体素，或深度标准差的 3 倍。</translation>
+            <source>How far from a measured depth the distance is recorded. A larger value closes gaps and thickens thin parts. auto: 4 voxels, or 1.5 standard deviations of the depth.</source>
+            <translation>在测得深度前后多远处记录距离。较大的值能填补空隙，但会使细部变粗。auto：4 个体素，或深度标准差的 1.5 倍。</translation>
         </message>
         <message>
             <source>Standard deviation of a depth at 0.5 m. It grows with the square of the distance.</source>

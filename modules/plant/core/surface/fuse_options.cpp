@@ -28,7 +28,7 @@ const OptionTable& option_table(const FuseOptions*) {
               "auto",
               Tier::advanced,
               "How far from a measured depth the distance is recorded. A larger value closes gaps and thickens thin "
-              "parts. auto: 4 voxels, or 3 standard deviations of the depth."},
+              "parts. auto: 4 voxels, or 1.5 standard deviations of the depth."},
           Option<S, double>{"depth_sigma",
                             &S::depth_sigma,
                             Unit::metre,

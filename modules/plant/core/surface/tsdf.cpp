@@ -208,7 +208,8 @@ Tsdf fuse_depth(const ViewSource& views, const std::vector<PosedView>& posed, co
   while ((region.size() / (voxel * size)).array().ceil().prod() > 200e6) voxel *= 1.25;
   for (;; voxel *= 1.25) {
     set_grid(grid, region, voxel);
-    grid.truncation = options.truncation.value_or(std::max(4 * voxel, 3 * sigma));
+    // Thin parts: with 3 sigma the two sides of a leaf, seen from opposite views, spoil one another.
+    grid.truncation = options.truncation.value_or(std::max(4 * voxel, 1.5 * sigma));
     std::vector<std::atomic<std::uint8_t>> marks(block_count(grid.blocks));
     for (std::size_t i = 0; i < posed.size(); ++i) {
       run.check_cancel();
