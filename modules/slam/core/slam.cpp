@@ -128,9 +128,8 @@ void tell_preset_for_comparison(Preset preset, Report& report) {
       Severity::look, "preset_for_comparison",
       "preset " + std::string(choice_name(preset)) +
           " repeats a published method, for comparison. On simulated plots such presets made walks up to 0.5 % too "
-          "short "
-          "and bent the map by centimetres: distances are wrong by that, and diameters uncertain. For a survey use "
-          "preset=best");
+          "short and bent the map by centimetres: distances are wrong by that, and diameters uncertain. For a survey "
+          "use preset=best");
 }
 
 }  // namespace

@@ -63,6 +63,7 @@ class Survey {
     if (pooled_ == nullptr)
       for (int round = 0; round < max_alignments && align_passes(priors); ++round) priors = search();
     priors.stretch_doubt = stretch_doubt_;
+    if (out_.range_stretch) tell_range_stretch(*out_.range_stretch, taken_out_, out_.report);
     learn_noise();
     priors.noise_m = noise_m_;
     drop_repeated();
@@ -129,7 +130,6 @@ class Survey {
     }
     stretch_doubt_ = std::hypot(stretch.sd, stretch.mean - taken_out_);
     out_.range_stretch = stretch.mean;
-    tell_range_stretch(stretch, taken_out_, out_.report);
     return moves;
   }
 

@@ -27,8 +27,9 @@ MeasureOptions thin_rays() {
   return o;
 }
 
+// Once and no more.
 bool tells(const Report& report, const std::string& code) {
-  return std::ranges::any_of(report.findings, [&](const auto& f) { return f.code == code; });
+  return std::ranges::count_if(report.findings, [&](const auto& f) { return f.code == code; }) == 1;
 }
 
 struct ErrorsOfWalk {

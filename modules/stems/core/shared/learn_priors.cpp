@@ -16,8 +16,9 @@ namespace {
 
 constexpr double all_round_rad = 6.0;
 
-// Rays that all come from one side cannot tell their offset from the place of the stem.
+// Rays that all come from one side cannot tell their offset, or a stretch, from the place of the stem.
 bool tells_range_offset(const Stem& s) { return s.range_offset.sd_m > 0 && s.arc_rad > all_round_rad; }
+bool tells_range_stretch(const Stem& s) { return s.range_stretch.sd > 0 && s.arc_rad > all_round_rad; }
 
 void tell_priors(const ProjectPriors& priors, double moved_m, Report& report, bool drift, bool range_offset) {
   if (drift) {
@@ -70,7 +71,7 @@ std::vector<StemEvidence> evidence_of(const std::vector<Stem>& fitted, const Mea
     e.at = (origin + s.breast_height).head<2>();
     if (s.drift.target.size() > 0) e.drift = drift_likelihoods(s.drift);
     if (tells_range_offset(s)) e.range_offset = s.range_offset;
-    e.range_stretch = s.range_stretch;
+    if (tells_range_stretch(s)) e.range_stretch = s.range_stretch;
     e.range_offset_expected_m = options.range_offset_sd.value_or(range_offset_of_many_lasers);
     if (s.along_rays) e.noise_m = s.noise_m;
   }
@@ -89,7 +90,7 @@ RangeStretchPrior learn_range_stretch(const std::vector<Stem>& fitted, const Mea
                                       double taken_out) {
   std::vector<RangeStretchEvidence> evidence;
   for (const auto& s : fitted)
-    if (s.range_stretch.sd > 0 && s.arc_rad > all_round_rad && !objection(s, options)) {
+    if (tells_range_stretch(s) && !objection(s, options)) {
       evidence.push_back(s.range_stretch);
       evidence.back().value += taken_out;
     }

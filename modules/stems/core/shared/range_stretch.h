@@ -21,6 +21,6 @@ RangeStretchPrior mean_range_stretch(const std::vector<RangeStretchEvidence>& st
 PointCloud without_stretch(const PointCloud& points, double stretch, const Run& run);
 
 // Metric range_stretch; finding walk_too_short or walk_too_long for what was taken out of the points.
-void tell_range_stretch(const RangeStretchPrior& stretch, double taken_out, Report& report);
+void tell_range_stretch(double stretch, double taken_out, Report& report);
 
 }  // namespace bole::stems
