@@ -6,6 +6,7 @@
 #include <QImage>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
@@ -391,15 +392,27 @@ class ViewToolsTest : public QObject {
     QCOMPARE(asked.size(), 1);
   }
 
+  // Its own circle with its interval and what of it is seen, drawn and in words.
   void the_slice_says_what_is_at_its_height() {
     window_->selection().select(1);
     auto& slice = window_->slice();
     slice.set_height(2.5);
     const auto& lines = slice.shown().lines;
-    const auto here = std::ranges::find_if(lines, [](const auto& line) { return line.find("here 20.") == 0; });
+    const QRegularExpression words("^here (20\\.\\d) cm   95 %: (\\d+\\.\\d) to (\\d+\\.\\d)   arc 3\\d\\d°$");
+    QRegularExpressionMatch match;
     std::string all;
-    for (const auto& line : lines) all += line + "\n";
-    QVERIFY2(here != lines.end() && here->find("arc 3") != std::string::npos, all.c_str());
+    for (const auto& line : lines) {
+      if (const auto m = words.match(QString::fromStdString(line)); m.hasMatch()) match = m;
+      all += line + "\n";
+    }
+    QVERIFY2(match.hasMatch(), all.c_str());
+    const double cm = match.captured(1).toDouble(), lo = match.captured(2).toDouble(), hi = match.captured(3).toDouble();
+    QVERIFY2(lo < cm && cm < hi && hi - lo < 6, all.c_str());
+    QVERIFY(slice.shown().stem);
+    QVERIFY(std::abs(200 * slice.shown().stem->radius_m - cm) < 0.06);
+    QVERIFY(std::abs(200 * slice.shown().stem->lo_m - lo) < 0.06 && std::abs(200 * slice.shown().stem->hi_m - hi) < 0.06);
+    // The diameter at breast height stays in sight, without the arc of another height.
+    QVERIFY2(all.find("DBH ") != std::string::npos && all.find("arc", all.find("DBH")) == std::string::npos, all.c_str());
     slice.set_height(30);
     QVERIFY(std::ranges::find(slice.shown().lines, "no circle fits the points here") != slice.shown().lines.end());
     slice.set_height(1.3);

@@ -1549,8 +1549,12 @@
             <translation>所画 %1 cm，此处无法拟合</translation>
         </message>
         <message>
-            <source>here %1 cm   spread %2 cm   arc %3°</source>
-            <translation>此处 %1 cm   离散 %2 cm   弧 %3°</translation>
+            <source>here %1 cm</source>
+            <translation>此处 %1 cm</translation>
+        </message>
+        <message>
+            <source>spread here %1 cm</source>
+            <translation>此处离散 %1 cm</translation>
         </message>
         <message>
             <source>no circle fits the points here</source>
