@@ -85,11 +85,13 @@ const std::vector<std::int32_t>* passes_of(const PointCloud& cloud) {
   return cloud.has(arrays::pass) ? std::get_if<std::vector<std::int32_t>>(&cloud.column(arrays::pass.name)) : nullptr;
 }
 
-// The cut through the axis of a stem at `centre`, for the fit of its diameter.
-std::vector<stems::CutPoint> fit_points(const Survey& survey, const StemPlace& stem, const CutPlace& cut,
-                                        const Eigen::Vector2d& centre, double radius_m) {
-  constexpr double margin_m = 0.15;  // the fit looks at points a decimetre beside the circle
-  auto indices = points_near(survey, stem, centre, radius_m + margin_m, cut.height_m - cut.thickness_m / 2,
+constexpr double fit_margin_m = 0.15;  // the fit looks at points a decimetre beside the circle
+
+}  // namespace
+
+std::vector<stems::CutPoint> points_of_cut(const Survey& survey, const StemPlace& stem, const CutPlace& cut,
+                                           const Eigen::Vector2d& middle, double reach_m) {
+  auto indices = points_near(survey, stem, middle, reach_m, cut.height_m - cut.thickness_m / 2,
                              cut.height_m + cut.thickness_m / 2);
   thin(indices);
   if (indices.empty()) return {};
@@ -98,12 +100,10 @@ std::vector<stems::CutPoint> fit_points(const Survey& survey, const StemPlace& s
   for (const auto i : indices) {
     const Eigen::Vector3d p = survey.points->position(i);
     points.push_back(
-        {p.head<2>() - centre, p.z() - stem.foot.z() - cut.height_m, passes != nullptr ? (*passes)[i] : 0});
+        {p.head<2>() - middle, p.z() - stem.foot.z() - cut.height_m, passes != nullptr ? (*passes)[i] : 0});
   }
   return points;
 }
-
-}  // namespace
 
 stems::KnownStem known_of(const Survey& survey, const StemPlace& stem, double breast_height_m) {
   auto known = stems::known_stem(survey.stems->subset({stem.row}), 0);
@@ -112,7 +112,7 @@ stems::KnownStem known_of(const Survey& survey, const StemPlace& stem, double br
     CutPlace cut;
     cut.height_m = breast_height_m + rise;
     const Eigen::Vector2d centre = stem.foot.head<2>() + rise * known.slope;
-    cuts.push_back({rise, fit_points(survey, stem, cut, centre, known.radius_m)});
+    cuts.push_back({rise, points_of_cut(survey, stem, cut, centre, known.radius_m + fit_margin_m)});
   }
   stems::compare_cuts(cuts, known);
   return known;
@@ -121,8 +121,8 @@ stems::KnownStem known_of(const Survey& survey, const StemPlace& stem, double br
 std::optional<stems::DiameterAtHeight> diameter_in(const Survey& survey, const StemPlace& stem, const CutPlace& cut,
                                                    const stems::KnownStem& known) {
   const auto expected = circle_at(survey, stem, cut);
-  auto found = stems::diameter_at_height(fit_points(survey, stem, cut, expected.centre, expected.radius_m),
-                                         expected.radius_m, known);
+  auto found = stems::diameter_at_height(
+      points_of_cut(survey, stem, cut, expected.centre, expected.radius_m + fit_margin_m), expected.radius_m, known);
   if (found) found->circle.centre += expected.centre;
   return found;
 }

@@ -27,6 +27,10 @@ std::optional<StemPlace> stem_place(const Survey& survey, std::int64_t tree);
 // The circle of a fitted stem at a height: from the table at breast height, else from its sections.
 render::SliceCircle circle_at(const Survey& survey, const StemPlace& stem, const CutPlace& cut);
 
+// Points within `reach_m` of `middle` in a cut, for fits; in the plan from `middle`.
+std::vector<stems::CutPoint> points_of_cut(const Survey& survey, const StemPlace& stem, const CutPlace& cut,
+                                           const Eigen::Vector2d& middle, double reach_m);
+
 // What a circle of the stem away from breast height is judged by, from the tables and the points near breast height.
 stems::KnownStem known_of(const Survey& survey, const StemPlace& stem, double breast_height_m);
 

@@ -67,24 +67,6 @@ class CircleSpread {
   std::array<std::map<std::pair<int, int>, Eigen::Vector3d>, 2> blocks_;
 };
 
-// Points of the cut in a plane across the axis. A horizontal cut shows a leaning stem too long along its lean.
-class AcrossAxis {
- public:
-  explicit AcrossAxis(const Eigen::Vector2d& slope)
-      : slope_(slope),
-        along_(slope.norm() > 0 ? slope.normalized() : Eigen::Vector2d::UnitX()),
-        cosine_(1 / std::sqrt(1 + slope.squaredNorm())) {}
-  Eigen::Vector2d across(const CutPoint& p) const {
-    const Eigen::Vector2d q = p.plan - p.above_m * slope_;
-    return q + (cosine_ - 1) * along_.dot(q) * along_;
-  }
-  Eigen::Vector2d plan(const Eigen::Vector2d& q) const { return q + (1 / cosine_ - 1) * along_.dot(q) * along_; }
-
- private:
-  Eigen::Vector2d slope_, along_;
-  double cosine_;
-};
-
 bool is_stem(const std::vector<Eigen::Vector2d>& ring, const RobustCircle& fit, double expected_m) {
   const MeasureOptions limits;
   if (fit.inliers < limits.min_section_points || fit.arc_rad < radians(limits.min_arc_deg) - 1e-9) return false;
@@ -117,6 +99,20 @@ std::optional<PlainCircle> plain_circle(const std::vector<CutPoint>& points, dou
 }
 
 }  // namespace
+
+AcrossAxis::AcrossAxis(const Eigen::Vector2d& slope)
+    : slope_(slope),
+      along_(slope.norm() > 0 ? slope.normalized() : Eigen::Vector2d::UnitX()),
+      cosine_(1 / std::sqrt(1 + slope.squaredNorm())) {}
+
+Eigen::Vector2d AcrossAxis::across(const CutPoint& p) const {
+  const Eigen::Vector2d q = p.plan - p.above_m * slope_;
+  return q + (cosine_ - 1) * along_.dot(q) * along_;
+}
+
+Eigen::Vector2d AcrossAxis::plan(const Eigen::Vector2d& across) const {
+  return across + (1 / cosine_ - 1) * along_.dot(across) * along_;
+}
 
 KnownStem known_stem(const Table& stems, std::size_t row) {
   const auto number = [&](const char* name) { return numbers_or_nan(stems, name)[row]; };

@@ -18,6 +18,19 @@ struct CutPoint {
   int pass = 0;
 };
 
+// Points of horizontal cuts in a plane across an axis of a slope, metres in plan per metre of height, and back. A
+// horizontal cut shows a leaning stem too long along its lean.
+class AcrossAxis {
+ public:
+  explicit AcrossAxis(const Eigen::Vector2d& slope);
+  Eigen::Vector2d across(const CutPoint& p) const;
+  Eigen::Vector2d plan(const Eigen::Vector2d& across) const;
+
+ private:
+  Eigen::Vector2d slope_, along_;
+  double cosine_;
+};
+
 struct StemCut {
   double above_breast_m = 0;  // its middle, along the vertical
   std::vector<CutPoint> points;
