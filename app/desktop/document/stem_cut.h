@@ -5,7 +5,7 @@
 #include "render/charts/stem_profile.h"
 #include "render/charts/stem_slice.h"
 #include "render/scene/stem_shapes.h"
-#include "stems/core/fit/diameter_at_height.h"
+#include "stems/core/tree/diameter_at_height.h"
 
 namespace bole::desktop {
 

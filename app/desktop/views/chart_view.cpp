@@ -6,7 +6,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "document/row_cut.h"
+#include "document/rows/row_cut.h"
 #include "look/pixels.h"
 #include "views/figure_picture.h"
 

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "document/row_cut.h"
+#include "document/rows/row_cut.h"
 #include "document/selection.h"
 #include "document/stem_cut.h"
 

@@ -161,11 +161,11 @@ LinkedChart plant_distances(const std::vector<RowPlant>& plants, const ChartSize
     return chart;
   }
   std::vector<double> usual;
-  double most_m = 0;
+  double max_m = 0;
   int missing = 0;
   for (const auto& d : distances) {
     if (d.missing == 0) usual.push_back(d.m);
-    most_m = std::max(most_m, d.m);
+    max_m = std::max(max_m, d.m);
     missing += d.missing;
   }
   if (usual.empty())  // gaps between all of them
@@ -173,7 +173,7 @@ LinkedChart plant_distances(const std::vector<RowPlant>& plants, const ChartSize
   const double median_m = median(usual);
   const Frame frame{{axis_space_left_mm, 7, size.width_mm - 3, size.height_mm - axis_space_below_mm},
                     {std::min(0.0, plants.front().along_m), plants.back().along_m},
-                    {0, nice_interval({0, 1.05 * most_m}, 5).hi}};
+                    {0, nice_interval({0, 1.05 * max_m}, 5).hi}};
   for (const auto& d : distances) {
     const auto a = frame.map(d.from.along_m, d.m), b = frame.map(d.to.along_m, 0);
     std::vector<std::int64_t> trees;

@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "stems/core/fit/diameter_at_height.h"
 #include "stems/core/measure_stems.h"
+#include "stems/core/tree/diameter_at_height.h"
 #include "synthetic/stem_cloud.h"
 
 namespace bole::stems {

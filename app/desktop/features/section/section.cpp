@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-#include "document/row_cut.h"
+#include "document/rows/row_cut.h"
 #include "views/scene_view.h"
 #include "views/section_view.h"
 #include "workbench/workbench.h"

@@ -1,4 +1,4 @@
-#include "document/row_cut.h"
+#include "document/rows/row_cut.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "stems/core/fit/diameter_at_height.h"
+#include "stems/core/tree/diameter_at_height.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
