@@ -38,6 +38,7 @@
 #include "small_plot.h"
 #include "test_application.h"
 #include "views/scene_view.h"
+#include "views/section_view.h"
 #include "views/slice_view.h"
 
 namespace bole::desktop {
@@ -409,6 +410,9 @@ class FirstTest : public QObject {
           QTRY_VERIFY(window.scene().has_survey());
           QTest::qWait(300);
           window.grab().save(name + "3_opened.png");
+          window.commands().trigger("view.dock");
+          QTest::qWait(100);
+          window.grab().save(name + "3_opened_view.png");
           QVERIFY(open_sample_and_wait(window));
           window.commands().trigger("stem.next");
           window.commands().trigger("stem.reject");
@@ -416,12 +420,29 @@ class FirstTest : public QObject {
           QTRY_VERIFY_WITH_TIMEOUT(window.scene().refined(), 20000);
           QTest::qWait(100);
           window.grab().save(name + "4_measured.png");
+          window.slice().set_height(2.4);
+          window.commands().trigger("view.fly");
+          QTest::qWait(100);
+          window.grab().save(name + "4_slice_higher_and_fly.png");
+          window.commands().trigger("view.fly");
+          window.slice().set_height(1.3);
           window.commands().trigger("view.map");
           const auto box = window.scene().whole();
           const double y = (box.lo.y() + box.hi.y()) / 2;
           window.findChild<SectionTool*>()->show({{box.lo.x(), y}, {box.hi.x(), y}, 4});
           QTest::qWait(600);
           window.grab().save(name + "5_section.png");
+          window.commands().trigger("points.polygon");
+          auto& section = window.findChild<SectionTool*>()->view();
+          const double length_m = box.hi.x() - box.lo.x();
+          for (const auto& corner : {Eigen::Vector2d(0.3 * length_m, 0.5),
+                                     {0.5 * length_m, 0.5},
+                                     {0.5 * length_m, 2.5},
+                                     {0.3 * length_m, 2.5}})
+            QTest::mouseClick(&section, Qt::LeftButton, {}, section.place_of(corner).toPoint());
+          QTest::qWait(300);
+          window.grab().save(name + "5_points_in_section.png");
+          window.commands().trigger("measure.end");
           window.commands().trigger("view.map");
           window.commands().trigger("section.across_walk");
           for (int k = 0; k < 8; ++k) window.commands().trigger("section.next");

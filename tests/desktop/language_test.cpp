@@ -21,6 +21,7 @@
 #include "look/language.h"
 #include "render/charts/cross_section.h"
 #include "render/charts/linked_charts.h"
+#include "render/charts/row_profile.h"
 #include "render/charts/stem_profile.h"
 #include "render/charts/stem_slice.h"
 #include "render/charts/trajectory_charts.h"
@@ -269,6 +270,13 @@ class LanguageTest : public QObject {
     std::vector<render::Figure> figures{render::stem_slice(slice, 80, 80), render::stem_profile(profile, 60, 90),
                                         render::trajectory_error_chart({&path, &path, nullptr}, 120),
                                         render::cross_section({}, {}, 120, 80, 96, 1)};
+    std::vector<render::RowPlant> row(4);
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      row[k].at.x() = row[k].along_m = static_cast<double>(k);
+      row[k].missing = k == 2;
+    }
+    figures.push_back(render::row_profile({{}, row}, 80, 60));
+    figures.push_back(render::plant_distances(row, {}, {}).figure);
     const Table no_stems = stems.subset({}), no_matches;
     for (const auto& chart : render::linked_charts()) {
       figures.push_back(chart.draw({&stems, &matches}, {}, {}).figure);

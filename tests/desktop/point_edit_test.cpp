@@ -13,6 +13,7 @@
 #include "document/edit_list.h"
 #include "document/stage_roles.h"
 #include "features/point_edit/point_editor.h"
+#include "features/section/section.h"
 #include "look/language.h"
 #include "mouse_drag.h"
 #include "sample_window.h"
@@ -20,6 +21,7 @@
 #include "small_plot.h"
 #include "test_application.h"
 #include "views/scene_view.h"
+#include "views/section_view.h"
 #include "vtkbridge/core_conversion.h"
 #include "vtkbridge/lazy_data.h"
 #include "vtkbridge/vtkBoleStage.h"
@@ -164,6 +166,97 @@ class PointEditTest : public QObject {
     trigger("points.apply");
     QVERIFY(wait_for_run(*window_));
     QVERIFY(edits_of_document()[0].action == PointEdit::Action::to_ground);
+  }
+
+  // A polygon in the cross-section holds what is seen there: the points of the slab within it, and none behind or
+  // before.
+  void a_polygon_in_the_cross_section_is_as_deep_as_it_is_wide() {
+    // Aslant, so that no box along the axes would do.
+    const SectionLine line{{3.9, 3.8}, {5.1, 5.2}, 0.12};
+    auto& section = show_section(line);
+    choose(PointTargetName::noise);
+    trigger("points.polygon");
+    const std::vector<Eigen::Vector2d> corners{{0.3, 1.0}, {1.6, 1.1}, {1.5, 3.1}, {0.4, 3.0}};
+    for (const auto& corner : corners)
+      QTest::mouseClick(&section, Qt::LeftButton, {}, section.place_of(corner).toPoint());
+    std::set<std::uint32_t> expected, doubtful;
+    const auto& cloud = *survey().points;
+    QPolygonF polygon;
+    for (const auto& corner : corners) polygon << QPointF(corner.x(), corner.y());
+    for (std::uint32_t i = 0; i < cloud.size(); ++i) {
+      const auto at = line.along_and_off(cloud.position(i).head<2>());
+      const double z = cloud.position(i).z(), deep = std::abs(at.y()) - line.width_m / 2;
+      constexpr double pixel_m = 0.03;
+      const auto inside = [&](double x, double y) { return polygon.containsPoint({x, y}, Qt::OddEvenFill); };
+      const bool in = inside(at.x(), z);
+      for (const double d : {-pixel_m, pixel_m})
+        if (inside(at.x() + d, z) != in || inside(at.x(), z + d) != in) doubtful.insert(i);
+      if (std::abs(deep) < 1e-3) doubtful.insert(i);
+      if (in && deep <= 0) expected.insert(i);
+    }
+    std::set<std::uint32_t> selected(editor().selected().begin(), editor().selected().end());
+    QVERIFY2(selected.size() > 500, qPrintable(state()));
+    std::size_t wrong = 0;
+    for (std::uint32_t i = 0; i < cloud.size(); ++i)
+      wrong += !doubtful.contains(i) && selected.contains(i) != expected.contains(i) ? 1 : 0;
+    QCOMPARE(wrong, std::size_t{0});
+    QVERIFY(section.marked() > 0);  // they stand out in the section too
+    QTest::keyClick(window_.get(), Qt::Key_Return);
+    QVERIFY(wait_for_run(*window_));
+    const auto edits = edits_of_document();
+    QCOMPARE(edits.size(), std::size_t{1});
+    QVERIFY(edits[0].region.depth && std::abs(edits[0].region.depth->y() - 0.06) < 1e-9 && !edits[0].region.eye);
+    const auto after = labels();
+    QVERIFY(after != labels_);
+    std::ofstream(at("section.json").toStdString()) << window_->session().document().to_json();
+    QVERIFY(headless(at("section.json")) == after);
+    trigger("edit.undo");
+    QVERIFY(wait_for_run(*window_));
+    QVERIFY(labels() == labels_);
+    trigger("section.clear");
+  }
+
+  void a_brush_in_the_cross_section_paints_over_points() {
+    const SectionLine line{{3.5, 4.5}, {5.5, 4.5}, 0.3};
+    auto& section = show_section(line);
+    choose(PointTargetName::no_tree);
+    box("points_radius")->setValue(0.25);
+    trigger("points.brush");
+    std::vector<QPoint> stroke;
+    for (double z = 1; z < 2; z += 0.05) stroke.push_back(section.place_of({1.0 - 0.1, z}).toPoint());
+    drag_over(section, stroke);
+    const auto selected = editor().selected().size();
+    QVERIFY2(selected > 500, qPrintable(state()));
+    for (const auto i : editor().selected()) QVERIFY(survey().points->position(i).z() < 2.5);
+    QTest::keyClick(window_.get(), Qt::Key_Return);
+    QVERIFY(wait_for_run(*window_));
+    const auto edits = edits_of_document();
+    QCOMPARE(edits.size(), std::size_t{1});
+    QVERIFY(edits[0].region.kind == PointRegion::Kind::brush);
+    QVERIFY2(survey().edit_log->text("message", 0).starts_with(std::to_string(selected)), "points in the log");
+    trigger("section.clear");
+  }
+
+  // An outline in one view gives up that of the other, and Escape both.
+  void an_outline_is_drawn_in_one_view_only() {
+    look_from_above();
+    auto& section = show_section({{3.5, 4.5}, {5.5, 4.5}, 0.3});
+    choose(PointTargetName::noise);
+    trigger("points.polygon");
+    for (const auto& corner : square(4.5, 4.5, 0.5)) QTest::mouseClick(&scene(), Qt::LeftButton, {}, corner);
+    QVERIFY(!editor().selected().empty());
+    const auto of_scene = editor().selected();
+    for (const auto& corner : {Eigen::Vector2d(0.8, 1), Eigen::Vector2d(1.2, 1), Eigen::Vector2d(1.2, 2)})
+      QTest::mouseClick(&section, Qt::LeftButton, {}, section.place_of(corner).toPoint());
+    QVERIFY(!editor().selected().empty() && editor().selected().size() < of_scene.size());
+    QVERIFY(scene().drawings("outline").empty());
+    QTest::keyClick(window_.get(), Qt::Key_Escape);
+    QVERIFY(editor().selected().empty() && section.marked() == 0);
+    // Without a tool a drag moves the section again.
+    const QPointF before = section.place_of({1, 1});
+    drag_over(section, {QPoint(60, 60), QPoint(90, 60), QPoint(120, 60)});
+    QVERIFY(std::abs(section.place_of({1, 1}).x() - before.x()) > 20);
+    trigger("section.clear");
   }
 
   void a_tree_that_was_deleted_comes_back_as_a_new_one() {
@@ -328,6 +421,14 @@ class PointEditTest : public QObject {
     window_->findChild<QComboBox*>("points_target")->setCurrentIndex(static_cast<int>(target));
   }
 
+  SectionView& show_section(const SectionLine& line) {
+    auto& tool = *window_->findChild<SectionTool*>();
+    tool.show(line);
+    for (int i = 0; i < 100 && !(tool.view().section() && tool.view().isVisible()); ++i) QTest::qWait(20);
+    QTest::qWait(100);
+    tool.view().show_whole();
+    return tool.view();
+  }
   QString at(const QString& name) const { return folder_.filePath(name); }
   SceneView& scene() const { return window_->scene(); }
   const Survey& survey() const { return window_->runner().survey(); }

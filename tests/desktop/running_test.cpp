@@ -165,9 +165,20 @@ class RunningTest : public QObject {
     const auto at_frame = connect(&runner(), &Runner::snapshot_taken, this, [this] {
       if (walk().live().state() && walk().live().state()->frame >= 6) button("finish_job").click();
     });
+    // Once it is told to end nobody says how long the rest would have taken: not in the bar of frames, not in the list.
+    QStringList said;
+    const auto told = connect(&runner(), &Runner::jobs_changed, this, [&] {
+      const auto job = runner().current();
+      if (job && job->ending && walk().live().state()) said << walk().bar().text();
+      if (job && job->ending) QVERIFY(!job->left_s(Job::Clock::now()));
+    });
     window_->run();
     QVERIFY(ended.wait(60000));
     disconnect(at_frame);
+    disconnect(told);
+    QVERIFY(!said.isEmpty());
+    for (const auto& text : said) QVERIFY2(!text.contains("left"), qPrintable(text));
+    QVERIFY2(!walk().bar().text().contains("left"), qPrintable(walk().bar().text()));
     const auto job = runner().jobs().back();
     QCOMPARE(int(job->state), int(JobState::kept));
     QVERIFY(job->whole);

@@ -1,11 +1,13 @@
 // The 3-D view as people know it from other programs: bookmarks, pictures of any size, the plan map, numbers of trees;
 // the slice at any height; the form that gives the plot its place; a change of the language that loses nothing.
 #include <QAction>
+#include <QCheckBox>
 #include <QDockWidget>
 #include <QFile>
 #include <QImage>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
@@ -19,11 +21,14 @@
 #include "features/measure/measure_tool.h"
 #include "features/section/section.h"
 #include "features/view_tools/bookmarks.h"
+#include "features/view_tools/fly.h"
 #include "features/view_tools/plot_boundary.h"
 #include "look/language.h"
 #include "look/pixels.h"
+#include "look/theme.h"
 #include "sample_window.h"
 #include "shell/restart.h"
+#include "shell/shortcut_sheet.h"
 #include "small_plot.h"
 #include "test_application.h"
 #include "views/scene_view.h"
@@ -382,6 +387,115 @@ class ViewToolsTest : public QObject {
     QVERIFY(!window_->runner().jobs().back()->asked);
   }
 
+  // Keys of commands fly while the mode is on, and are theirs again afterwards.
+  void flying_moves_the_eye_by_keys_mouse_and_wheel() {
+    auto& scene = this->scene();
+    scene.reset_camera();
+    window_->commands().trigger("view.map");  // is left by itself
+    window_->commands().trigger("view.fly");
+    const auto* fly = window_->findChild<Fly*>();
+    QVERIFY(fly->on() && !scene.flat() && !scene.parallel());
+    QVERIFY(window_->commands().action("view.fly")->isChecked());
+    const auto undo_steps = window_->session().undo_stack().count();
+    const auto start = scene.view_point();
+    const auto ahead = [](const ViewPoint& v) -> Eigen::Vector3d { return (v.centre - v.eye).normalized(); };
+    for (const auto key : {Qt::Key_W, Qt::Key_Up}) {
+      const auto before = scene.view_point();
+      QTest::keyPress(&scene, key);
+      QTest::qWait(300);
+      QTest::keyRelease(&scene, key);
+      const Eigen::Vector3d by = scene.view_point().eye - before.eye;
+      QVERIFY2(by.norm() > 0.1 && by.norm() < 3, QByteArray::number(by.norm()));
+      QVERIFY(by.normalized().dot(ahead(before)) > 0.999);
+    }
+    const auto still = scene.view_point();
+    QTest::qWait(100);
+    QVERIFY((scene.view_point().eye - still.eye).norm() < 1e-9);
+    // A and D are keys of Accept and Set diameter otherwise.
+    window_->selection().select(1);
+    QTest::keyPress(&scene, Qt::Key_A);
+    QTest::qWait(200);
+    QTest::keyRelease(&scene, Qt::Key_A);
+    const Eigen::Vector3d aside = scene.view_point().eye - still.eye;
+    QVERIFY(aside.norm() > 0.05 && std::abs(aside.z()) < 1e-6 && std::abs(aside.normalized().dot(ahead(still))) < 0.01);
+    QCOMPARE(window_->session().undo_stack().count(), undo_steps);
+    // The mouse turns the head where it stands: right and down.
+    const auto look = [&](const QPoint& at) {
+      QMouseEvent move(QEvent::MouseMove, at, Qt::NoButton, Qt::NoButton, {});
+      QApplication::sendEvent(&scene, &move);
+    };
+    const QPoint middle = scene.rect().center();
+    look(middle);
+    const auto before_look = scene.view_point();
+    look(middle + QPoint(50, 0));
+    const auto turned = scene.view_point();
+    QVERIFY((turned.eye - before_look.eye).norm() < 1e-9);
+    QVERIFY(std::abs(turned_by(before_look, turned)) > 0.05);
+    QVERIFY(ahead(before_look).cross(ahead(turned)).z() < 0);  // clockwise, seen from above
+    look(middle + QPoint(50, 30));
+    QVERIFY(ahead(scene.view_point()).z() < ahead(turned).z());
+    // The wheel.
+    const double slow = fly->speed_m_s();
+    QWheelEvent faster(middle, scene.mapToGlobal(middle), {}, {0, 240}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
+                       false);
+    QApplication::sendEvent(&scene, &faster);
+    QVERIFY(std::abs(fly->speed_m_s() / slow - 1.25 * 1.25) < 1e-9);
+    QTest::keyClick(&scene, Qt::Key_Escape);
+    QVERIFY(!fly->on() && scene.place_taker() == nullptr);
+    const auto end = scene.view_point();
+    QTest::keyPress(&scene, Qt::Key_W);
+    QTest::qWait(100);
+    QTest::keyRelease(&scene, Qt::Key_W);
+    QVERIFY((scene.view_point().eye - end.eye).norm() < 1e-9);
+    // Another tool ends it.
+    window_->commands().trigger("view.fly");
+    window_->commands().trigger("measure.distance");
+    QVERIFY(!fly->on());
+    window_->commands().trigger("measure.end");
+    bool listed = false;
+    for (const auto& line : shortcut_lines(*window_)) listed = listed || line.key == "W A S D";
+    QVERIFY(listed);
+    scene.set_view_point(start);
+    scene.reset_camera();
+  }
+
+  // A box that does nothing says why; the choice of the person is kept for clouds that have a north.
+  void the_box_of_the_north_arrow_says_why_it_is_off() {
+    auto& north = *window_->findChild<QCheckBox*>("view_north_arrow");
+    const auto before = scene().survey();
+    QVERIFY(before.points && !scene().north_known());
+    QVERIFY(!north.isEnabled() && !north.isChecked());
+    QVERIFY2(north.toolTip().startsWith("Not drawn"), qPrintable(north.toolTip()));
+    QVERIFY(scene().settings().north);
+    auto placed = before;
+    auto cloud = std::make_shared<PointCloud>(*before.points);
+    cloud->axes = Axes::plot;
+    placed.points = cloud;
+    scene().show_survey(placed);
+    Q_EMIT scene().settings_changed();
+    QVERIFY(scene().north_known() && north.isEnabled() && north.isChecked());
+    scene().show_survey(before);
+    Q_EMIT scene().settings_changed();
+    QVERIFY(!north.isEnabled());
+  }
+
+  // Boxes that are not ticked are seen on a dark window: their outline is lighter than it by a third of the range.
+  void boxes_to_tick_are_seen_in_the_dark() {
+    apply_theme(Theme::dark);
+    for (const bool enabled : {true, false}) {
+      QCheckBox box("Grid");
+      box.setEnabled(enabled);
+      box.resize(box.sizeHint());
+      const QImage picture = box.grab().toImage();
+      int lightest = 0;
+      const int window = box.palette().color(QPalette::Window).lightness();
+      for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < 12; ++x) lightest = std::max(lightest, picture.pixelColor(x, y).lightness());
+      QVERIFY2(lightest - window >= 80, QByteArray::number(lightest - window));
+    }
+    apply_theme(Theme::light);
+  }
+
   void a_right_click_opens_the_menu() {
     QSignalSpy asked(&scene(), &SceneView::menu_asked);
     QTimer::singleShot(100, [] {
@@ -391,15 +505,30 @@ class ViewToolsTest : public QObject {
     QCOMPARE(asked.size(), 1);
   }
 
+  // Its own circle with its interval and what of it is seen, drawn and in words.
   void the_slice_says_what_is_at_its_height() {
     window_->selection().select(1);
     auto& slice = window_->slice();
     slice.set_height(2.5);
     const auto& lines = slice.shown().lines;
-    const auto here = std::ranges::find_if(lines, [](const auto& line) { return line.find("here 20.") == 0; });
+    const QRegularExpression words("^here (20\\.\\d) cm   95 %: (\\d+\\.\\d) to (\\d+\\.\\d)   arc 3\\d\\d°$");
+    QRegularExpressionMatch match;
     std::string all;
-    for (const auto& line : lines) all += line + "\n";
-    QVERIFY2(here != lines.end() && here->find("arc 3") != std::string::npos, all.c_str());
+    for (const auto& line : lines) {
+      if (const auto m = words.match(QString::fromStdString(line)); m.hasMatch()) match = m;
+      all += line + "\n";
+    }
+    QVERIFY2(match.hasMatch(), all.c_str());
+    const double cm = match.captured(1).toDouble(), lo = match.captured(2).toDouble(),
+                 hi = match.captured(3).toDouble();
+    QVERIFY2(lo < cm && cm < hi && hi - lo < 6, all.c_str());
+    QVERIFY(slice.shown().stem);
+    QVERIFY(std::abs(200 * slice.shown().stem->radius_m - cm) < 0.06);
+    QVERIFY(std::abs(200 * slice.shown().stem->lo_m - lo) < 0.06 &&
+            std::abs(200 * slice.shown().stem->hi_m - hi) < 0.06);
+    // The diameter at breast height stays in sight, without the arc of another height.
+    QVERIFY2(all.find("DBH ") != std::string::npos && all.find("arc", all.find("DBH")) == std::string::npos,
+             all.c_str());
     slice.set_height(30);
     QVERIFY(std::ranges::find(slice.shown().lines, "no circle fits the points here") != slice.shown().lines.end());
     slice.set_height(1.3);

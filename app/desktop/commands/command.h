@@ -39,6 +39,11 @@ struct When {
   QString needs{};                // what is missing otherwise: the tooltip of the disabled command
 };
 
+// A key that works only while a switch is on; the sheet of keys has it below the command.
+struct OwnKey {
+  QString text, key;
+};
+
 struct Command {
   QString id;      // "stem.accept": modes, menus and tests know the command by it
   QString text{};  // in the language of the window
@@ -51,6 +56,7 @@ struct Command {
   QString group{};                       // switches of one group exclude each other
   QString tip{};
   QIcon icon{};
+  std::vector<OwnKey> own_keys{};
   QWidget* owner = nullptr;  // the key works while this widget has the focus; null: in the whole window
   QAction* made = nullptr;   // an action that exists already, such as undo, in place of `act`
 };

@@ -17,6 +17,21 @@ std::optional<stems::RobustCircle> circle_near(const std::vector<Eigen::Vector2d
   return stems::robust_circle(near, {drawn.centre, drawn.radius_m}, start_error_m, max_sigma_m);
 }
 
+std::optional<stems::RobustCircle> leaning_circle_near(const std::vector<stems::CutPoint>& points,
+                                                       const render::SliceCircle& drawn, const Eigen::Vector2d& slope) {
+  const stems::AcrossAxis axis(slope);
+  std::vector<Eigen::Vector2d> across;
+  for (auto p : points) {
+    p.plan -= drawn.centre;
+    across.push_back(axis.across(p));
+  }
+  render::SliceCircle start = drawn;
+  start.centre.setZero();
+  auto fit = circle_near(across, start);
+  if (fit) fit->circle.centre = drawn.centre + axis.plan(fit->circle.centre);
+  return fit;
+}
+
 std::vector<stems::StemEdit> circle_edits(const StemPlace& stem, const Eigen::Vector2d& centre, double radius_m) {
   std::vector<stems::StemEdit> edits;
   stems::StemEdit edit;

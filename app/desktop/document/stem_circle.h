@@ -17,6 +17,11 @@ constexpr double min_drawn_radius_m = 0.01, max_drawn_radius_m = 2.5;
 std::optional<stems::RobustCircle> circle_near(const std::vector<Eigen::Vector2d>& points,
                                                const render::SliceCircle& drawn);
 
+// The same across an axis that leans by `slope` (metres in plan per metre of height). Points and circle are in the plan
+// from one middle.
+std::optional<stems::RobustCircle> leaning_circle_near(const std::vector<stems::CutPoint>& points,
+                                                       const render::SliceCircle& drawn, const Eigen::Vector2d& slope);
+
 // Moves a stem to `centre` (axes of the stems) and gives it the diameter of `radius_m`.
 std::vector<stems::StemEdit> circle_edits(const StemPlace& stem, const Eigen::Vector2d& centre, double radius_m);
 

@@ -79,6 +79,54 @@ render::SliceCircle circle_at(const Survey& survey, const StemPlace& stem, const
   return circle;
 }
 
+namespace {
+
+const std::vector<std::int32_t>* passes_of(const PointCloud& cloud) {
+  return cloud.has(arrays::pass) ? std::get_if<std::vector<std::int32_t>>(&cloud.column(arrays::pass.name)) : nullptr;
+}
+
+constexpr double fit_margin_m = 0.15;  // the fit looks at points a decimetre beside the circle
+
+}  // namespace
+
+std::vector<stems::CutPoint> points_of_cut(const Survey& survey, const StemPlace& stem, const CutPlace& cut,
+                                           const Eigen::Vector2d& middle, double reach_m) {
+  auto indices = points_near(survey, stem, middle, reach_m, cut.height_m - cut.thickness_m / 2,
+                             cut.height_m + cut.thickness_m / 2);
+  thin(indices);
+  if (indices.empty()) return {};
+  const auto* passes = passes_of(*survey.points);
+  std::vector<stems::CutPoint> points;
+  for (const auto i : indices) {
+    const Eigen::Vector3d p = survey.points->position(i);
+    points.push_back(
+        {p.head<2>() - middle, p.z() - stem.foot.z() - cut.height_m, passes != nullptr ? (*passes)[i] : 0});
+  }
+  return points;
+}
+
+stems::KnownStem known_of(const Survey& survey, const StemPlace& stem, double breast_height_m) {
+  auto known = stems::known_stem(survey.stems->subset({stem.row}), 0);
+  std::vector<stems::StemCut> cuts;
+  for (const double rise : stems::rises_near_breast_height_m) {
+    CutPlace cut;
+    cut.height_m = breast_height_m + rise;
+    const Eigen::Vector2d centre = stem.foot.head<2>() + rise * known.slope;
+    cuts.push_back({rise, points_of_cut(survey, stem, cut, centre, known.radius_m + fit_margin_m)});
+  }
+  stems::compare_cuts(cuts, known);
+  return known;
+}
+
+std::optional<stems::DiameterAtHeight> diameter_in(const Survey& survey, const StemPlace& stem, const CutPlace& cut,
+                                                   const stems::KnownStem& known) {
+  const auto expected = circle_at(survey, stem, cut);
+  auto found = stems::diameter_at_height(
+      points_of_cut(survey, stem, cut, expected.centre, expected.radius_m + fit_margin_m), expected.radius_m, known);
+  if (found) found->circle.centre += expected.centre;
+  return found;
+}
+
 render::StemSliceData cut_across(const Survey& survey, const StemPlace& stem, const CutPlace& cut,
                                  const Eigen::Vector2d& middle, double reach_m) {
   render::StemSliceData data;
@@ -89,9 +137,7 @@ render::StemSliceData cut_across(const Survey& survey, const StemPlace& stem, co
   auto indices = points_near(survey, stem, middle, reach_m, cut.height_m - cut.thickness_m / 2,
                              cut.height_m + cut.thickness_m / 2);
   thin(indices);
-  const auto* passes = survey.points && survey.points->has(arrays::pass)
-                           ? std::get_if<std::vector<std::int32_t>>(&survey.points->column(arrays::pass.name))
-                           : nullptr;
+  const auto* passes = survey.points ? passes_of(*survey.points) : nullptr;
   for (const auto i : indices) {
     data.points.emplace_back(survey.points->position(i).head<2>() - middle);
     if (passes != nullptr) data.pass.push_back((*passes)[i]);

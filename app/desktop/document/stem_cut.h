@@ -5,6 +5,7 @@
 #include "render/charts/stem_profile.h"
 #include "render/charts/stem_slice.h"
 #include "render/scene/stem_shapes.h"
+#include "stems/core/tree/diameter_at_height.h"
 
 namespace bole::desktop {
 
@@ -25,6 +26,17 @@ std::optional<StemPlace> stem_place(const Survey& survey, std::int64_t tree);
 
 // The circle of a fitted stem at a height: from the table at breast height, else from its sections.
 render::SliceCircle circle_at(const Survey& survey, const StemPlace& stem, const CutPlace& cut);
+
+// Points within `reach_m` of `middle` in a cut, for fits; in the plan from `middle`.
+std::vector<stems::CutPoint> points_of_cut(const Survey& survey, const StemPlace& stem, const CutPlace& cut,
+                                           const Eigen::Vector2d& middle, double reach_m);
+
+// What a circle of the stem away from breast height is judged by, from the tables and the points near breast height.
+stems::KnownStem known_of(const Survey& survey, const StemPlace& stem, double breast_height_m);
+
+// The stem measured in a cut at any height; centre in the axes of the stems. Nothing where no circle fits there.
+std::optional<stems::DiameterAtHeight> diameter_in(const Survey& survey, const StemPlace& stem, const CutPlace& cut,
+                                                   const stems::KnownStem& known);
 
 // Points within `reach_m` of `middle` at the height of the cut, neighbours and the circle of the stem, relative to
 // `middle`.

@@ -1305,6 +1305,10 @@
     <context>
         <name>bole::desktop::ProfileView</name>
         <message>
+            <source>Select a stem or a row of plants to see its profile.</source>
+            <translation>选择一株单木或一行植株以查看其纵剖面。</translation>
+        </message>
+        <message>
             <source>Select a stem to see its profile.</source>
             <translation>选择一株单木以查看其纵剖面。</translation>
         </message>
@@ -1549,8 +1553,12 @@
             <translation>所画 %1 cm，此处无法拟合</translation>
         </message>
         <message>
-            <source>here %1 cm   spread %2 cm   arc %3°</source>
-            <translation>此处 %1 cm   离散 %2 cm   弧 %3°</translation>
+            <source>here %1 cm</source>
+            <translation>此处 %1 cm</translation>
+        </message>
+        <message>
+            <source>spread here %1 cm</source>
+            <translation>此处离散 %1 cm</translation>
         </message>
         <message>
             <source>no circle fits the points here</source>
@@ -1615,6 +1623,10 @@
     </context>
     <context>
         <name>bole::desktop::ViewPanel</name>
+        <message>
+            <source>Not drawn: nothing tells where north is in this cloud. The axes of its file or sensor are not those of a plot or of a coordinate system.</source>
+            <translation>不绘制:此点云未说明北在何方。其文件或传感器的坐标轴既不是样地坐标轴,也不是坐标系的坐标轴。</translation>
+        </message>
         <message>
             <source>The array of the cloud that gives points their colour</source>
             <translation>决定点颜色的点云属性</translation>
@@ -3738,8 +3750,8 @@
             <translation>多边形</translation>
         </message>
         <message>
-            <source>Click the corners, or draw around the points. All that is seen within is selected, at any depth.</source>
-            <translation>单击各顶点,或围绕点绘制。多边形内看到的点不论远近都被选中。</translation>
+            <source>Click the corners, or draw around the points. All that is seen within is selected, at any depth; in the cross-section as deep as it is wide.</source>
+            <translation>单击各拐点,或绕点画线。选中其中所见的全部点,不论远近;在横断面中只选断面宽度内的点。</translation>
         </message>
         <message>
             <source>Select points with a box</source>
@@ -3948,6 +3960,65 @@
         <message>
             <source>You answered this rightly.</source>
             <translation>此题已答对。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::Fly</name>
+        <message>
+            <source>Fly through the plot</source>
+            <translation>在样地中飞行</translation>
+        </message>
+        <message>
+            <source>Open a scan or a point cloud first.</source>
+            <translation>请先打开扫描或点云。</translation>
+        </message>
+        <message>
+            <source>W A S D or the arrow keys move, the mouse looks around, the wheel sets the speed; Esc ends</source>
+            <translation>W A S D 或方向键移动,鼠标转动视线,滚轮调节速度;Esc 结束</translation>
+        </message>
+        <message>
+            <source>ahead, left, back, right</source>
+            <translation>前、左、后、右</translation>
+        </message>
+        <message>
+            <source>the same</source>
+            <translation>同上</translation>
+        </message>
+        <message>
+            <source>up, down</source>
+            <translation>上、下</translation>
+        </message>
+        <message>
+            <source>Page Up, Page Down</source>
+            <translation>Page Up、Page Down</translation>
+        </message>
+        <message>
+            <source>look around</source>
+            <translation>环视</translation>
+        </message>
+        <message>
+            <source>move the mouse</source>
+            <translation>移动鼠标</translation>
+        </message>
+        <message>
+            <source>faster, slower</source>
+            <translation>加速、减速</translation>
+        </message>
+        <message>
+            <source>wheel</source>
+            <translation>滚轮</translation>
+        </message>
+        <message>
+            <source>end</source>
+            <translation>结束</translation>
+        </message>
+        <message>
+            <source>Esc, click</source>
+            <translation>Esc、单击</translation>
+        </message>
+        <message>
+            <source>W A S D or arrow keys move at %1 m/s, mouse looks, wheel sets the speed, Esc ends.</source>
+            <translation>W A S D 或方向键以 %1 m/s 移动,鼠标环视,滚轮调速,Esc 结束。</translation>
         </message>
     </context>
 </TS>

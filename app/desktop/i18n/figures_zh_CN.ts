@@ -4,6 +4,26 @@
     <context>
         <name>figures</name>
         <message>
+            <source>Distances between plants</source>
+            <translation>株距</translation>
+        </message>
+        <message>
+            <source>Along the row (m)</source>
+            <translation>沿行 (m)</translation>
+        </message>
+        <message>
+            <source>Distance to the next plant (m)</source>
+            <translation>到下一株的距离 (m)</translation>
+        </message>
+        <message>
+            <source>Select a row of plants</source>
+            <translation>请选择一行植株</translation>
+        </message>
+        <message>
+            <source>median %1 m   distances %2   gaps %3</source>
+            <translation>中位数 %1 m   间距 %2   缺株 %3</translation>
+        </message>
+        <message>
             <source>Diameters</source>
             <translation>胸径分布</translation>
         </message>

@@ -1,10 +1,13 @@
 #include "look/theme.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QPalette>
+#include <QProxyStyle>
 #include <QSettings>
 #include <QStyle>
 #include <QStyleFactory>
+#include <QStyleOption>
 #include <algorithm>
 
 namespace bole::desktop {
@@ -29,6 +32,28 @@ QPalette dark_palette() {
   return palette;
 }
 
+// Fusion outlines boxes to tick by a darker shade of the window, which nobody sees on a dark one.
+class DarkStyle : public QProxyStyle {
+ public:
+  DarkStyle() : QProxyStyle(QStyleFactory::create("Fusion")) {}
+
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
+    QProxyStyle::drawPrimitive(element, option, painter, widget);
+    const bool box = element == PE_IndicatorCheckBox || element == PE_IndicatorItemViewItemCheck,
+               round = element == PE_IndicatorRadioButton;
+    if (!box && !round) return;
+    const bool off = !option->state.testFlag(State_Enabled);
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing, round);
+    painter->setBrush(Qt::NoBrush);
+    painter->setPen(option->palette.color(off ? QPalette::Disabled : QPalette::Active, QPalette::PlaceholderText));
+    const QRect outline = option->rect.adjusted(0, 0, -1, -1);
+    round ? painter->drawEllipse(outline) : painter->drawRect(outline);
+    painter->restore();
+  }
+};
+
 const QPalette& palette_of_the_system() {
   static const QPalette palette = QApplication::palette();  // asked for before any other is set
   return palette;
@@ -44,8 +69,9 @@ void apply_theme(Theme theme) {
     QApplication::setPalette(system);
     return;
   }
-  QApplication::setStyle(QStyleFactory::create("Fusion"));  // the one that takes any palette
   const bool dark = theme == Theme::dark || theme == Theme::system;
+  // Fusion takes any palette.
+  QApplication::setStyle(dark ? new DarkStyle : QStyleFactory::create("Fusion"));
   QApplication::setPalette(dark ? dark_palette() : QApplication::style()->standardPalette());
 }
 

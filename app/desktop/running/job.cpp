@@ -36,7 +36,7 @@ double Job::elapsed_s(Clock::time_point now) const {
 }
 
 std::optional<double> Job::left_s(Clock::time_point now) const {
-  if (state != JobState::running) return {};
+  if (state != JobState::running || ending) return {};
   const double spent_s = std::chrono::duration<double>(now - stage_began).count();
   if (fraction < min_fraction || spent_s < min_s) return {};
   return spent_s * (1 - fraction) / fraction + later_s.value_or(0);

@@ -41,6 +41,7 @@ struct Job {
   QString stage;        // in work
   double fraction = 0;  // of that stage
   QString what;
+  bool ending = false;  // a person keeps what that stage has
   std::size_t stages_begun = 0, stages = 0;
   Clock::time_point began, stage_began, ended;
   std::optional<double> later_s;  // that the stages after this one took last time, when all of them are known
@@ -51,7 +52,8 @@ struct Job {
   bool over() const { return state != JobState::waiting && state != JobState::running; }
   bool has_result() const { return state == JobState::done || state == JobState::kept; }
   double elapsed_s(Clock::time_point now) const;
-  // Of the stage in work and, when `later_s` is known, of those after it; nothing before there is something to go by.
+  // Of the stage in work and, when `later_s` is known, of those after it; nothing before there is something to go by,
+  // nor while the stage ends early.
   std::optional<double> left_s(Clock::time_point now) const;
 };
 

@@ -221,6 +221,7 @@ void Runner::note_progress(const QString& stage, double fraction, const QString&
   auto& job = *current_;
   if (job.stage != stage) {
     job.stage = stage;
+    job.ending = false;
     job.stage_began = Job::Clock::now();
     job.later_s = 0;
     bool after = false;
@@ -324,7 +325,10 @@ std::shared_ptr<const Job> Runner::job(int id) const {
 }
 
 void Runner::finish() {
-  if (running()) executor_->finish_running_stage();
+  if (!running()) return;
+  executor_->finish_running_stage();
+  current_->ending = true;
+  Q_EMIT jobs_changed();
 }
 
 void Runner::cancel() { thread_.request_stop(); }

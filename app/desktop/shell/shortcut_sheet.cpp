@@ -31,6 +31,9 @@ void collect(const Commands& commands, const Place& where, const QString& title,
     const auto* action = entry->action;
     if (!action->shortcut().isEmpty() && !seen.contains(action))
       lines.push_back({title, plain(action->text()), action->shortcut().toString(QKeySequence::NativeText)});
+    if (!seen.contains(action))
+      for (const auto& own : entry->command.own_keys)
+        lines.push_back({title, plain(action->text()) + QStringLiteral(" › ") + own.text, own.key});
     seen.insert(action);
   }
 }

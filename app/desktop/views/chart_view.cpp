@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "document/rows/row_cut.h"
 #include "look/pixels.h"
 #include "views/figure_picture.h"
 
@@ -29,6 +30,10 @@ ChartView::ChartView(Selection& selection, QWidget* parent)
   for (const auto& chart : render::linked_charts()) charts_->addItem(chart_title(chart), to_qt(chart.id));
   connect(charts_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] { rebuild(); });
   connect(&selection_, &Selection::changed, this, &ChartView::rebuild);
+  connect(&selection_, &Selection::row_changed, this, [this] {
+    if (selection_.row()) show_chart("plant_distances");
+    rebuild();
+  });
 }
 
 void ChartView::show_survey(const Survey& survey) {
@@ -45,9 +50,12 @@ void ChartView::rebuild() {
   const render::ChartSize size{sheet().width() * mm_per_px, sheet().height() * mm_per_px};
   const auto selected = selection_.tree();
   const auto charts = render::linked_charts();
-  if (survey_.stems && survey_.stems->has("tree_id"))
+  const bool stems = survey_.stems && survey_.stems->has("tree_id");
+  std::vector<render::RowPlant> row;
+  if (selection_.row()) row = row_plants(survey_, *selection_.row());
+  if (stems || survey_.rows)
     chart_ = charts[static_cast<std::size_t>(charts_->currentIndex())].draw(
-        {survey_.stems.get(), survey_.matches.get()}, size, selected);
+        {stems ? survey_.stems.get() : nullptr, survey_.matches.get(), row}, size, selected);
   update();
 }
 

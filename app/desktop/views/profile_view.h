@@ -1,8 +1,10 @@
-// The selected stem from the side with its stem curve; the height of the slice is dragged in it.
+// The selected stem from the side with its stem curve; the height of the slice is dragged in it. Or the selected row of
+// plants from the side, whichever was selected last: a click in it selects the nearest plant.
 #pragma once
 
 #include <QWidget>
 
+#include "document/rows/row_cut.h"
 #include "document/selection.h"
 #include "document/stem_cut.h"
 
@@ -17,6 +19,9 @@ class ProfileView : public QWidget {
   void set_height(double metres);
   void set_breast_height(double metres) { cut_.breast_height_m = metres; }
   QPointF place_of_height(double metres) const;  // on the widget, in the middle of it
+  bool shows_row() const { return row_.has_value(); }
+  const std::optional<render::RowProfileData>& row() const { return row_; }
+  QPointF place_of_plant(double along_m) const;  // on the widget, at the ground of the row
   QSize sizeHint() const override { return {190, 330}; }
 
  Q_SIGNALS:
@@ -24,11 +29,15 @@ class ProfileView : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override { drag(event); }
+  void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override { drag(event); }
 
  private:
   void reload();
+  void follow_row();
+  void follow_tree();
+  void click_plant(const QPoint& at);
+  render::Figure figure() const;
   void drag(QMouseEvent* event);
   render::Frame frame() const;
 
@@ -37,6 +46,8 @@ class ProfileView : public QWidget {
   std::optional<StemPlace> stem_;
   CutPlace cut_;
   render::StemProfileData data_;
+  std::optional<render::RowProfileData> row_;  // shown in place of a stem
+  bool clicking_ = false;                      // in the row: it stays
 };
 
 }  // namespace bole::desktop

@@ -83,6 +83,24 @@ void fit_box(vtkCamera* camera, const Eigen::Vector3d& lo, const Eigen::Vector3d
   camera->SetParallelScale(half_height);
 }
 
+void fly(vtkCamera* camera, const Eigen::Vector3d& right_up_ahead_m, double right_rad, double up_rad) {
+  constexpr double steepest_rad = 1.5;  // at the vertical there is no right
+  const Eigen::Vector3d before(camera->GetDirectionOfProjection()), up(camera->GetViewUp());
+  // Straight down the map's north is ahead.
+  const Eigen::Vector2d level = before.head<2>().norm() > 1e-6 ? before.head<2>() : Eigen::Vector2d(up.head<2>());
+  const double bearing = std::atan2(level.y(), level.x()) - right_rad,
+               pitch = std::clamp(std::asin(std::clamp(before.z(), -1.0, 1.0)) + up_rad, -steepest_rad, steepest_rad);
+  const Eigen::Vector3d ahead(std::cos(pitch) * std::cos(bearing), std::cos(pitch) * std::sin(bearing),
+                              std::sin(pitch)),
+      right(std::sin(bearing), -std::cos(bearing), 0);
+  const Eigen::Vector3d eye = Eigen::Vector3d(camera->GetPosition()) + right_up_ahead_m.x() * right +
+                              right_up_ahead_m.y() * Eigen::Vector3d::UnitZ() + right_up_ahead_m.z() * ahead,
+                        target = eye + approach_m * ahead;
+  camera->SetPosition(eye.x(), eye.y(), eye.z());
+  camera->SetFocalPoint(target.x(), target.y(), target.z());
+  camera->SetViewUp(0, 0, 1);
+}
+
 void set_parallel(vtkCamera* camera, bool on) {
   if (on) camera->SetParallelScale(perspective_half_height_m(camera));
   camera->SetParallelProjection(on);

@@ -26,6 +26,9 @@ void approach(vtkCamera* camera, const Eigen::Vector3d& target, double distance_
 // Keeps the direction and moves the camera so far off that a box fills the view but for a margin.
 void fit_box(vtkCamera* camera, const Eigen::Vector3d& lo, const Eigen::Vector3d& hi, double aspect);
 
+// Moves the eye by metres to the right, up (along z) and ahead, after it has turned its head to the right and up.
+void fly(vtkCamera* camera, const Eigen::Vector3d& right_up_ahead_m, double right_rad, double up_rad);
+
 void set_parallel(vtkCamera* camera, bool on);  // what is at the focal point keeps its size
 
 }  // namespace bole::desktop

@@ -81,6 +81,12 @@ void SceneView::zoom_to(const render::ClipBox& box) {
   redraw();
 }
 
+void SceneView::fly(const Eigen::Vector3d& right_up_ahead_m, double right_rad, double up_rad) {
+  desktop::fly(renderer_->GetActiveCamera(), right_up_ahead_m, right_rad, up_rad);
+  begin_motion();
+  redraw();
+}
+
 render::PickView SceneView::pick_view() {
   const int* size = renderer_->GetSize();
   const double aspect = static_cast<double>(std::max(size[0], 1)) / std::max(size[1], 1);

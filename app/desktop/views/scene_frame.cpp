@@ -99,6 +99,11 @@ double SceneView::draw_moving_frame() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_start_).count();
 }
 
+bool SceneView::north_known() const {
+  const Axes axes = survey_.points ? survey_.points->axes : Axes::unknown;
+  return axes == Axes::plot || axes == Axes::global;
+}
+
 void SceneView::place_furniture() {
   render::ViewFurniture f;
   f.width_mm = width() * mm_per_px;
@@ -111,8 +116,7 @@ void SceneView::place_furniture() {
   f.perspective = camera->GetParallelProjection() == 0;
   f.grid_step_m = grid_step_m_;
   f.north_rad = north_on_screen_rad(camera);
-  const Axes axes = survey_.points ? survey_.points->axes : Axes::unknown;
-  f.north = settings_.north && (axes == Axes::plot || axes == Axes::global);
+  f.north = settings_.north && north_known();
   for (const auto& fact : facts_) f.notes.push_back(fact.toStdString());
   const auto view = pick_view();
   const double mm = f.width_mm / std::max(1, renderWindow()->GetSize()[0]);  // a picture may have more pixels

@@ -107,6 +107,7 @@ void SceneView::drop_outline() {
   path_px_.clear();
   cursor_px_.reset();
   draw_outline();
+  Q_EMIT outline_dropped();
 }
 
 void SceneView::take_stroke(const QPoint& at, bool begins) {

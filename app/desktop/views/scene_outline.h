@@ -1,4 +1,4 @@
-// An outline that a person draws over the 3-D view.
+// An outline that a person draws over the 3-D view or in a cross-section.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,10 +10,11 @@
 namespace bole::desktop {
 
 // Corners of a closed outline in world coordinates, in a plane across the line of sight, and where the eye was; none in
-// a parallel view.
+// a parallel view and in a cross-section.
 struct SceneOutline {
   std::vector<Eigen::Vector3d> corners;
   std::optional<Eigen::Vector3d> eye;
+  std::optional<double> half_depth_m{};  // in a cross-section: only so far from the plane, to both sides
 };
 
 // A path without the places that change it by less than `tolerance_px` (Douglas and Peucker, 1973).

@@ -83,6 +83,7 @@ int SceneView::actor_count() {
 
 void SceneView::mark_points(const std::vector<std::uint32_t>& points) {
   if (!marked_ && points.empty()) return;
+  marked_points_ = points;
   if (marked_) renderer_->RemoveActor(marked_);
   marked_ = nullptr;
   if (survey_.points && !points.empty()) {
@@ -96,12 +97,14 @@ void SceneView::mark_points(const std::vector<std::uint32_t>& points) {
     marked_->GetProperty()->SetColor(orange.r, orange.g, orange.b);
     renderer_->AddActor(marked_);
   }
+  Q_EMIT points_marked();
   redraw();
 }
 
 void SceneView::rebuild() {
   if (marked_) renderer_->RemoveActor(marked_);
   marked_ = nullptr;
+  marked_points_.clear();
   layer_.show(nullptr, origin_);
   for (const auto& actor : actors_) renderer_->RemoveActor(actor);
   actors_.clear();

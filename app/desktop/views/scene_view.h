@@ -63,6 +63,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   const render::PointPaint& paint() const { return layer_.paint(); }
   void set_filter(const render::PointFilter& filter);
   const render::ClipBox& whole() const { return whole_; }       // around the cloud but its strays
+  bool north_known() const;                                     // from the axes of the points
   render::ClipBox everything() const;                           // around every point; looks at each
   const render::Interval& heights() const { return heights_; }  // above ground, or z, of the cloud but its strays
   void show_clip_handles(bool on);
@@ -79,6 +80,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void zoom_to(const Eigen::Vector3d& place);
   void zoom_to(const render::ClipBox& box);  // all of it, from where the camera looks
   Eigen::Vector3d centre() const;            // of rotation, world coordinates
+  // Moves and turns the eye (scene_camera.h); what it looks at is then the centre of rotation.
+  void fly(const Eigen::Vector3d& right_up_ahead_m, double right_rad, double up_rad);
 
   // The point under a place of the widget; selects its tree, or the stem there.
   void pick(const QPoint& at);
@@ -91,6 +94,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   enum class Takes { places, outlines, corners, strokes };
   void set_place_taker(const QObject* taker, Takes takes = Takes::places);
   const QObject* place_taker() const { return place_taker_; }
+  Takes takes() const { return takes_; }
   // Gives the place of a point to all who listen.
   void give_place(const render::PickedPoint& point, bool of_survey = true);
   // The cloud of the point that was given last: that of the survey, a part of a cloud on disk, or one beside it.
@@ -99,6 +103,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void drop_outline();
   // Points of the survey that stand out until others do, or another survey is shown. At most 300 000 are drawn.
   void mark_points(const std::vector<std::uint32_t>& points);
+  const std::vector<std::uint32_t>& marked_points() const { return marked_points_; }
 
   Qt::KeyboardModifiers drag_keys() const { return drag_keys_; }  // that are held while a grip is dragged
 
@@ -143,6 +148,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void outline_taken(const SceneOutline& outline);
   void stroke_taken(const Eigen::Vector3d& place, bool begins);
   void stroke_ended();
+  void outline_dropped();
+  void points_marked();
   void place_taker_changed(const QObject* taker);
   void drawing_clicked(const QString& layer, int drawing);
   void drawings_changed(const QString& layer);
@@ -229,6 +236,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   render::FurnitureLayer furniture_;
   std::vector<vtkSmartPointer<vtkActor>> actors_;
   vtkSmartPointer<vtkActor> highlight_, grid_, marked_;
+  std::vector<std::uint32_t> marked_points_;  // of the survey
   CameraLayer cameras_;
   Eigen::Vector3d eye_ = Eigen::Vector3d::Zero();  // where look_along() put the camera
   std::vector<double> last_eye_;                   // of the last frame: place, direction, angle and size

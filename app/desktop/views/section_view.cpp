@@ -5,9 +5,11 @@
 #include <QPolygonF>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "look/pixels.h"
 #include "views/figure_picture.h"
+#include "views/scene_outline.h"
 
 namespace bole::desktop {
 namespace {
@@ -28,6 +30,7 @@ void SectionView::show_section(std::optional<CrossSection> section, bool keep_si
   section_ = std::move(section);
   if (section_) section_->drawn.selected = selected;
   if (!keep_sight) show_whole();
+  find_marked();
   setCursor(section_ ? Qt::CrossCursor : Qt::ArrowCursor);
   update();
 }
@@ -87,12 +90,63 @@ std::int64_t SectionView::stem_at(const QPointF& px) const {
   return 0;
 }
 
+void SectionView::set_takes(Takes takes) {
+  if (takes == takes_) return;
+  takes_ = takes;
+  drawing_ = false;
+  drop_outline();
+}
+
+void SectionView::drop_outline() {
+  outline_.clear();
+  update();
+}
+
+void SectionView::mark_points(const std::vector<std::uint32_t>& points) {
+  marked_of_survey_ = points;
+  find_marked();
+  update();
+}
+
+void SectionView::find_marked() {
+  marked_.clear();
+  if (!section_) return;
+  for (std::size_t k = 0; k < section_->indices.size(); ++k)
+    if (section_->owners[k] == 0 && std::ranges::binary_search(marked_of_survey_, section_->indices[k]))
+      marked_.push_back(static_cast<std::uint32_t>(k));
+}
+
+void SectionView::add_corner(const QPointF& px) {
+  if (outline_.empty()) Q_EMIT outline_begun();
+  outline_.push_back(place_at(px));
+  update();
+}
+
+void SectionView::stroke(const QPointF& px) {
+  if (const auto point = point_at(px)) Q_EMIT stroke_drawn(*point, std::exchange(stroke_begins_, false));
+}
+
 void SectionView::mousePressEvent(QMouseEvent* event) {
   pressed_at_ = event->pos();
-  if (section_ && (event->button() == Qt::LeftButton || event->button() == Qt::MiddleButton)) dragged_from_ = sight_;
+  if (!section_) return;
+  const bool left = event->button() == Qt::LeftButton;
+  if (left && takes_ != Takes::places) {
+    drawing_ = true;
+    if (takes_ == Takes::corners) return add_corner(event->localPos());
+    stroke_begins_ = true;
+    return stroke(event->localPos());
+  }
+  if (left || event->button() == Qt::MiddleButton) dragged_from_ = sight_;
 }
 
 void SectionView::mouseMoveEvent(QMouseEvent* event) {
+  if (drawing_ && takes_ == Takes::strokes) return stroke(event->localPos());
+  if (drawing_) {
+    constexpr double step_px = 2;
+    const QPointF by = event->localPos() - place_of(outline_.back());
+    if (std::hypot(by.x(), by.y()) >= step_px) add_corner(event->localPos());
+    return;
+  }
   if (!dragged_from_) return;
   const QPoint by = event->pos() - pressed_at_;
   if (whole_ && by.manhattanLength() <= section_click_px) return;
@@ -102,6 +156,15 @@ void SectionView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SectionView::mouseReleaseEvent(QMouseEvent* event) {
+  if (drawing_ && event->button() == Qt::LeftButton) {
+    drawing_ = false;
+    if (takes_ == Takes::strokes) return stroke_ended();
+    // In pixels one millimetre apart at most: what was drawn in one go has a corner for every pixel.
+    constexpr double tolerance_px = 1;
+    outline_ = simplified(outline_, tolerance_px * mm_per_px / sight_.mm_per_m);
+    if (outline_.size() >= 3) Q_EMIT outline_drawn(outline_);
+    return;
+  }
   const bool pressed_here = dragged_from_.has_value();
   dragged_from_.reset();
   if (!pressed_here || event->button() != Qt::LeftButton ||
@@ -110,7 +173,10 @@ void SectionView::mouseReleaseEvent(QMouseEvent* event) {
   Q_EMIT clicked(point_at(event->localPos()), stem_at(event->localPos()));
 }
 
-void SectionView::mouseDoubleClickEvent(QMouseEvent*) { show_whole(); }
+void SectionView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (takes_ != Takes::places && event->button() == Qt::LeftButton) return mousePressEvent(event);
+  show_whole();
+}
 
 void SectionView::wheelEvent(QWheelEvent* event) {
   if (!section_) return;
@@ -148,6 +214,21 @@ void SectionView::paintEvent(QPaintEvent*) {
   QImage picture(image.rgba.data(), image.width, image.height, QImage::Format_RGBA8888);
   picture.setDevicePixelRatio(ratio);
   painter.drawImage(0, 0, picture);
+  draw_taken(painter);
+}
+
+// What is selected, and the outline that is being drawn.
+void SectionView::draw_taken(QPainter& painter) const {
+  const QColor orange(0xff, 0x7a, 0x00);
+  painter.setPen(QPen(orange, point_px_ + 1, Qt::SolidLine, Qt::RoundCap));
+  for (const auto k : marked_) painter.drawPoint(place_of(section_->drawn.points[k]));
+  if (outline_.empty()) return;
+  QPolygonF line;
+  for (const auto& corner : outline_) line << place_of(corner);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(orange, 1.5));
+  painter.drawPolygon(line);
+  for (const auto& corner : line) painter.drawEllipse(corner, 2, 2);
 }
 
 }  // namespace bole::desktop

@@ -58,6 +58,7 @@ SliceView::SliceView(Selection& selection, QWidget* parent)
 
 void SliceView::show_survey(const Survey& survey) {
   survey_ = survey;
+  known_.reset();
   reload(true);
 }
 
@@ -93,6 +94,7 @@ void SliceView::reload(bool keep_view) {
     set_adding(false);
     return update();
   }
+  if (before != stem_->tree_id) known_.reset();
   if (!keep_view || before != stem_->tree_id) {
     middle_ = stem_->foot.head<2>();
     data_.reach_m = std::max(0.12, 0.75 * (std::isfinite(stem_->dbh_m) ? stem_->dbh_m : 0.2) + 0.04);
@@ -103,17 +105,47 @@ void SliceView::reload(bool keep_view) {
   update();
 }
 
-// Away from breast height the diameter of the stem is another one: that of the points in the cut.
+bool SliceView::away_from_breast_height() const {
+  return std::abs(cut_.height_m - cut_.breast_height_m) >= same_height_m;
+}
+
+// Away from breast height the stem has a circle of its own, with its interval.
 void SliceView::fit_here() {
   here_.reset();
-  if (!data_.stem || std::abs(cut_.height_m - cut_.breast_height_m) < same_height_m) return;
-  here_ = circle_near(data_.points, *data_.stem);
+  if (!data_.stem || !away_from_breast_height()) return;
+  if (!known_) known_ = known_of(survey_, *stem_, cut_.breast_height_m);
+  here_ = diameter_in(survey_, *stem_, cut_, *known_);
+  if (here_)
+    data_.stem = render::SliceCircle{stem_->tree_id, here_->circle.centre - middle_, here_->circle.radius,
+                                     here_->radius_low, here_->radius_high};
+}
+
+// The diameter at the height of the cut with its interval and the part of the circle that is seen there.
+void SliceView::write_measured() {
+  const auto one = survey_.stems->subset({stem_->row});
+  const auto number = [&](const char* name) { return render::numbers_or_nan(one, name)[0]; };
+  const auto in_cm = [](double v) { return QString::fromStdString(render::fixed(v, 1)); };
+  const auto interval = [&](double lo_cm, double hi_cm) {
+    return std::isfinite(lo_cm + hi_cm) ? "   " + tr("95 %: %1 to %2").arg(in_cm(lo_cm), in_cm(hi_cm)) : QString();
+  };
+  const auto arc = [](double deg) {
+    return std::isfinite(deg) ? "   " + tr("arc %1°").arg(QString::fromStdString(render::fixed(deg, 0))) : QString();
+  };
+  const auto add = [this](const QString& line) { data_.lines.push_back(line.toStdString()); };
+  const QString dbh = tr("DBH %1 cm").arg(in_cm(number("dbh_cm")));
+  if (!away_from_breast_height())
+    return add(dbh + interval(number("dbh_lo_cm"), number("dbh_hi_cm")) + arc(number("arc_deg")));
+  if (here_)
+    add(tr("here %1 cm").arg(in_cm(200 * here_->circle.radius)) +
+        interval(200 * here_->radius_low, 200 * here_->radius_high) + arc(degrees(here_->arc_rad)));
+  else
+    add(tr("no circle fits the points here"));
+  add(here_ ? dbh + "   " + tr("spread here %1 cm").arg(in_cm(100 * here_->sigma)) : dbh);
 }
 
 void SliceView::write_lines() {
   const auto& stems = *survey_.stems;
   const auto row = stem_->row;
-  const auto number = [&](const char* name) { return render::numbers_or_nan(stems, name)[row]; };
   const auto text = [](const QString& s) { return s.toStdString(); };
   const auto digits = [](double v, int decimals) { return QString::fromStdString(render::fixed(v, decimals)); };
   QString tree =
@@ -123,24 +155,14 @@ void SliceView::write_lines() {
   data_.lines = {text(tree)};
   const QString reasons = cell_words("reasons", QString::fromStdString(render::texts_or_empty(stems, "reasons")[row]));
   setToolTip(reasons);
-  const double lo = number("dbh_lo_cm"), hi = number("dbh_hi_cm");
-  QString measured = tr("DBH %1 cm").arg(digits(number("dbh_cm"), 1));
-  if (std::isfinite(lo + hi)) measured += "   " + tr("95 %: %1 to %2").arg(digits(lo, 1), digits(hi, 1));
-  if (std::isfinite(number("arc_deg"))) measured += "   " + tr("arc %1°").arg(digits(number("arc_deg"), 0));
-  data_.lines.push_back(text(measured));
+  write_measured();
   if (fit_)
     data_.lines.push_back(text(tr("fit %1 cm   spread %2 cm   arc %3°")
                                    .arg(digits(200 * fit_->circle.radius, 1), digits(100 * fit_->sigma, 1),
                                         digits(degrees(fit_->arc_rad), 0))));
   else if (data_.drawn)
     data_.lines.push_back(text(tr("drawn %1 cm, no fit here").arg(digits(200 * data_.drawn->radius_m, 1))));
-  else if (here_)
-    data_.lines.push_back(text(tr("here %1 cm   spread %2 cm   arc %3°")
-                                   .arg(digits(200 * here_->circle.radius, 1), digits(100 * here_->sigma, 1),
-                                        digits(degrees(here_->arc_rad), 0))));
-  else if (std::abs(cut_.height_m - cut_.breast_height_m) >= same_height_m)
-    data_.lines.push_back(text(tr("no circle fits the points here")));
-  else
+  else if (!away_from_breast_height())
     for (auto& line : text_lines(reasons, sheet().width() * mm_per_px - reasons_margin_mm, max_reason_lines))
       data_.lines.push_back(std::move(line));
 }

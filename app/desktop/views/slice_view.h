@@ -48,7 +48,9 @@ class SliceView : public QWidget {
  private:
   enum class Grip { none, centre, rim, add };
   void reload(bool keep_view);
+  bool away_from_breast_height() const;
   void fit_here();
+  void write_measured();
   void write_lines();
   QRect sheet() const;
   render::SliceScale scale() const;
@@ -63,8 +65,9 @@ class SliceView : public QWidget {
   CutPlace cut_;
   Eigen::Vector2d middle_ = Eigen::Vector2d::Zero();
   render::StemSliceData data_;
-  std::optional<stems::RobustCircle> fit_;   // while a circle is drawn
-  std::optional<stems::RobustCircle> here_;  // away from breast height
+  std::optional<stems::RobustCircle> fit_;       // while a circle is drawn
+  std::optional<stems::DiameterAtHeight> here_;  // away from breast height
+  std::optional<stems::KnownStem> known_;        // of the selected stem; looked up when first asked for
   Grip grip_ = Grip::none;
   bool adding_ = false;
   Eigen::Vector2d pressed_ = Eigen::Vector2d::Zero();

@@ -8,6 +8,7 @@
 #include "cloud/stem_rows.h"
 #include "render/charts/columns.h"
 #include "render/charts/dbh_charts.h"
+#include "render/charts/row_profile.h"
 #include "render/draw/axes.h"
 
 namespace bole::render {
@@ -206,6 +207,10 @@ std::span<const ChartType> linked_charts() {
       {"field", "Estimated over field",
        [](const ChartTables& tables, const ChartSize& size, SelectedTree selected) {
          return estimated_over_field(tables.matches ? *tables.matches : no_table, size, selected);
+       }},
+      {"plant_distances", "Distances between plants",
+       [](const ChartTables& tables, const ChartSize& size, SelectedTree selected) {
+         return plant_distances({tables.row.begin(), tables.row.end()}, size, selected);
        }},
   };
   return charts;

@@ -29,10 +29,13 @@ struct ChartSize {
   double width_mm = 90, height_mm = 65;
 };
 
+struct RowPlant;
+
 // What charts are drawn from. Null: the run has no such table.
 struct ChartTables {
   const Table* stems = nullptr;
-  const Table* matches = nullptr;  // of stems with trees measured in the field
+  const Table* matches = nullptr;   // of stems with trees measured in the field
+  std::span<const RowPlant> row{};  // of the selected row of plants
 };
 
 using SelectedTree = std::optional<std::int64_t>;

@@ -80,7 +80,8 @@ void PointEditor::make_commands() {
   add_tool("points.brush", tr("Select points with a brush"), tr("Brush"), "Shift+U", Tool::brush,
            tr("Paint over points with the left mouse button. Enter applies, Escape ends."));
   add_tool("points.polygon", tr("Select points with a polygon"), tr("Polygon"), "Shift+P", Tool::polygon,
-           tr("Click the corners, or draw around the points. All that is seen within is selected, at any depth."));
+           tr("Click the corners, or draw around the points. All that is seen within is selected, at any depth; in the "
+              "cross-section as deep as it is wide."));
   add_tool("points.box", tr("Select points with a box"), tr("Box"), "Shift+O", Tool::box,
            tr("Click its middle; sizes and turn stand in the form."));
   const auto add = [&](const char* id, const QString& text, const QString& short_text, const QKeySequence& key,
@@ -138,6 +139,7 @@ void PointEditor::take_outline(const SceneOutline& outline) {
   auto drawn = region(PointRegion::Kind::outline);
   for (const auto& corner : outline.corners) drawn.outline.push_back(rounded_place(corner));
   if (outline.eye) drawn.eye = rounded_place(*outline.eye);
+  if (outline.half_depth_m) drawn.depth = Eigen::Vector2d(-*outline.half_depth_m, *outline.half_depth_m);
   const RegionTest test(drawn);
   if (test.flat()) return;
   if (test.crosses_itself()) {

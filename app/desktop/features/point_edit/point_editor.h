@@ -1,5 +1,5 @@
-// Points selected in the 3-D view by a brush, a polygon or a box, and given to a tree, to no tree, to the ground or to
-// noise. What is selected stands out until Enter makes edits of the document of it.
+// Points selected in the 3-D view or the cross-section by a brush, a polygon or a box, and given to a tree, to no tree,
+// to the ground or to noise. What is selected stands out until Enter makes edits of the document of it.
 #pragma once
 
 #include <QObject>

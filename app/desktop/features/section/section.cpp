@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "document/rows/row_cut.h"
 #include "views/scene_view.h"
 #include "views/section_view.h"
 #include "workbench/workbench.h"
@@ -62,6 +63,55 @@ SectionTool::SectionTool(Workbench& bench)
   connect(&bench_.selection(), &Selection::changed, this,
           [this] { view_->select(bench_.selection().tree().value_or(0)); });
   connect(view_, &SectionView::clicked, this, &SectionTool::click);
+  join_point_tools();
+}
+
+// What takes outlines and strokes in the 3-D view takes them here too. An outline is one of both.
+void SectionTool::join_point_tools() {
+  auto& scene = bench_.scene();
+  connect(&scene, &SceneView::place_taker_changed, this, [this] {
+    using Takes = SceneView::Takes;
+    const auto takes = bench_.scene().takes();
+    view_->set_takes(takes == Takes::corners   ? SectionView::Takes::corners
+                     : takes == Takes::strokes ? SectionView::Takes::strokes
+                                               : SectionView::Takes::places);
+  });
+  connect(&scene, &SceneView::outline_dropped, this, [this] {
+    if (!outlines_) view_->drop_outline();
+  });
+  connect(&scene, &SceneView::outline_taken, this, [this] {
+    if (!outlines_) view_->drop_outline();
+  });
+  connect(&scene, &SceneView::points_marked, this, [this] { view_->mark_points(bench_.scene().marked_points()); });
+  connect(view_, &SectionView::outline_begun, this, [this] {
+    outlines_ = true;
+    bench_.scene().drop_outline();
+    outlines_ = false;
+  });
+  connect(view_, &SectionView::outline_drawn, this, &SectionTool::take_outline);
+  connect(view_, &SectionView::stroke_drawn, this, &SectionTool::take_stroke);
+  connect(view_, &SectionView::stroke_ended, &scene, &SceneView::stroke_ended);
+}
+
+// In the plane of the section, as wide as it: what is not shown is not meant.
+void SectionTool::take_outline(const std::vector<Eigen::Vector2d>& corners) {
+  if (!line_) return;
+  SceneOutline outline;
+  for (const auto& corner : corners) {
+    const double along_m = std::clamp(corner.x(), 0.0, line_->length_m());
+    const Eigen::Vector2d plan = line_->from + along_m * line_->direction();
+    outline.corners.emplace_back(plan.x(), plan.y(), corner.y());
+  }
+  outline.half_depth_m = line_->width_m / 2;
+  outlines_ = true;
+  Q_EMIT bench_.scene().outline_taken(outline);
+  outlines_ = false;
+}
+
+void SectionTool::take_stroke(std::uint32_t point, bool begins) {
+  const auto& section = view_->section();
+  if (!section || section->owners[point] != 0 || !cut_.points) return;
+  Q_EMIT bench_.scene().stroke_taken(cut_.points->position(section->indices[point]), begins);
 }
 
 void SectionTool::draw_line(bool on) {
@@ -93,6 +143,7 @@ void SectionTool::show(const SectionLine& line) {
 
 void SectionTool::put(const SectionLine& line, bool keep_sight) {
   line_ = line;
+  view_->drop_outline();
   moved_ = !keep_sight;
   const QSignalBlocker quiet_width(width_), quiet_length(length_);
   width_->setValue(line.width_m);
@@ -137,22 +188,13 @@ void SectionTool::across_walk() {
   follow(std::move(path));
 }
 
-// As the stages write it: its course where it bends, else from end to end.
 std::vector<Eigen::Vector2d> SectionTool::selected_row() const {
   const auto id = bench_.selection().row();
-  std::vector<Eigen::Vector2d> path;
   if (!id || !survey_.rows) throw bad_input("no row is selected", "one row of plants", "Click it in the table of rows");
-  if (survey_.lines && survey_.lines->has("row_id")) {
-    const auto x = survey_.lines->numbers("x_m"), y = survey_.lines->numbers("y_m");
-    for (std::size_t i = 0; i < x.size(); ++i)
-      if (survey_.lines->text("row_id", i) == *id) path.emplace_back(x[i], y[i]);
-  }
-  if (path.size() > 1) return path;
-  const auto& rows = *survey_.rows;
-  for (std::size_t i = 0; i < rows.rows(); ++i)
-    if (rows.text("row_id", i) == *id)
-      return {{rows.numbers("x0_m")[i], rows.numbers("y0_m")[i]}, {rows.numbers("x1_m")[i], rows.numbers("y1_m")[i]}};
-  throw bad_input("row " + *id + " is not in the table of rows", "one that is", "Run the pipeline again");
+  auto path = row_course(survey_, *id);
+  if (path.empty())
+    throw bad_input("row " + *id + " is not in the table of rows", "one that is", "Run the pipeline again");
+  return path;
 }
 
 void SectionTool::across_row() { follow(selected_row()); }

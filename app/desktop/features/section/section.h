@@ -62,6 +62,9 @@ class SectionTool : public QObject {
   void read_slab(const SlabWish& wish, const std::stop_token& stop, const LastWish<SlabWish>::Answer& answer);
   void take_slab(const SlabWish& wish, const Slab& slab);
   std::vector<SceneCloud> beside_on_disk() const;
+  void join_point_tools();
+  void take_outline(const std::vector<Eigen::Vector2d>& corners);
+  void take_stroke(std::uint32_t point, bool begins);
   void click(const std::optional<std::uint32_t>& point, std::int64_t stem);
   void draw_in_scene();
   void draw_measurements();
@@ -84,7 +87,8 @@ class SectionTool : public QObject {
   double at_m_ = 0;                    // of the path
   std::optional<Eigen::Vector2d> first_;
   bool drawing_ = false;
-  bool moved_ = false;  // another line since the last cut
+  bool outlines_ = false;  // the outline that is told about was drawn in the section
+  bool moved_ = false;     // another line since the last cut
 };
 
 }  // namespace bole::desktop

@@ -103,35 +103,47 @@ void StemHandles::change(const std::string& handle, const Eigen::Vector3d& at) {
   if (handle == top_id) drawn_.height_m = std::clamp(at.z() - stem_->foot.z(), min_top_m, max_top_m);
 }
 
-// The points of the slice are looked up once for a drag.
-void StemHandles::fit() {
+// The points of the slice are looked up once for a drag. They are fitted across an axis of this slope.
+void StemHandles::fit(const Eigen::Vector2d& slope) {
+  const Eigen::Vector2d middle = is_.breast.head<2>();
   if (!points_) {
     CutPlace cut;
     cut.breast_height_m = cut.height_m = is_.breast.z() - stem_->foot.z();
-    points_.emplace();
-    const Eigen::Vector2d middle = is_.breast.head<2>();
-    for (const auto& p : cut_across(bench_.runner().survey(), *stem_, cut, middle, is_.radius_m + reach_m).points)
-      points_->push_back(p + middle);
+    points_ = points_of_cut(bench_.runner().survey(), *stem_, cut, middle, is_.radius_m + reach_m);
   }
   render::SliceCircle circle;
-  circle.centre = drawn_.breast.head<2>();
+  circle.centre = drawn_.breast.head<2>() - middle;
   circle.radius_m = drawn_.radius_m;
-  fit_ = circle_near(*points_, circle);
+  fit_ = leaning_circle_near(*points_, circle, slope);
+  if (fit_) fit_->circle.centre += middle;
+}
+
+// The circle that the points ask for across the new axis belongs to the same step. What stays as it was keeps its
+// interval and its sections.
+std::vector<stems::StemEdit> StemHandles::lean_edits(bool as_drawn) const {
+  if ((drawn_.slope - is_.slope).norm() < min_slope_change) return {};
+  stems::StemEdit tilt;
+  tilt.action = Action::tilt;
+  tilt.at = stem_->foot.head<2>();
+  tilt.was_dbh_cm = 100 * stem_->dbh_m;
+  tilt.lean_deg = degrees(std::atan(drawn_.slope.norm()));
+  const double azimuth = degrees(std::atan2(drawn_.slope.x(), drawn_.slope.y()));
+  tilt.lean_azimuth_deg = azimuth < 0 ? azimuth + 360 : azimuth;
+  std::vector<stems::StemEdit> edits{tilt};
+  if (as_drawn || !fit_) return edits;
+  const double moved =
+      (fit_->circle.centre - is_.breast.head<2>()).norm() + std::abs(fit_->circle.radius - is_.radius_m);
+  if (moved >= min_change_m)
+    for (auto& edit : circle_edits(*stem_, fit_->circle.centre, fit_->circle.radius)) edits.push_back(std::move(edit));
+  return edits;
 }
 
 // The fit is taken; with Shift the circle as it was drawn.
 std::vector<stems::StemEdit> StemHandles::edits(const std::string& handle, bool as_drawn) const {
+  if (handle == lean_id) return lean_edits(as_drawn);
   stems::StemEdit edit;
   edit.at = stem_->foot.head<2>();
   edit.was_dbh_cm = 100 * stem_->dbh_m;
-  if (handle == lean_id) {
-    if ((drawn_.slope - is_.slope).norm() < min_slope_change) return {};
-    edit.action = Action::tilt;
-    edit.lean_deg = degrees(std::atan(drawn_.slope.norm()));
-    const double azimuth = degrees(std::atan2(drawn_.slope.x(), drawn_.slope.y()));
-    edit.lean_azimuth_deg = azimuth < 0 ? azimuth + 360 : azimuth;
-    return {edit};
-  }
   if (handle == top_id) {
     if (is_.height_m && std::abs(top_m() - *is_.height_m) < min_height_change_m) return {};
     edit.action = Action::set_height;
@@ -147,7 +159,8 @@ std::vector<stems::StemEdit> StemHandles::edits(const std::string& handle, bool 
 void StemHandles::drag(const std::string& handle, const Eigen::Vector3d& at, bool released) {
   if (!stem_) return;
   change(handle, at);
-  if (is_circle(handle)) fit();
+  if (is_circle(handle)) fit(Eigen::Vector2d::Zero());
+  if (handle == lean_id) fit(drawn_.slope);
   if (!released) return draw();
   const auto made = edits(handle, bench_.scene().drag_keys().testFlag(Qt::ShiftModifier));
   take_stem();  // as it is until the edits are applied

@@ -161,7 +161,7 @@ void ViewPanel::make_switches(QFormLayout* form) {
       check("view_grid", tr("Grid"), tr("A grid in metres at the foot of the cloud")),
       check("view_legend", tr("Legend"), tr("What the colours mean")),
       check("view_scale", tr("Scale bar"), tr("In metres; holds everywhere in parallel projection")),
-      check("view_north_arrow", tr("North arrow"), tr("Where the axes of the plot are known")),
+      check("view_north_arrow", tr("North arrow"), {}),
       check("view_trees", tr("Tree numbers"), tr("With symbols for the quality of the diameter and what was decided"))};
   for (std::size_t k = 0; k < switches_.size(); ++k) {
     connect(switches_[k], &QCheckBox::toggled, this,
@@ -239,7 +239,19 @@ void ViewPanel::show_state() {
   }
   const bool on[] = {s.eye_dome, s.grid, s.legend, s.scale_bar, s.north, s.trees};
   for (std::size_t k = 0; k < switches_.size(); ++k) switches_[k]->setChecked(on[k]);
+  show_north();
   following_ = false;
+}
+
+// What is not drawn is not offered, and the box says why.
+void ViewPanel::show_north() {
+  auto* north = switches_[north_switch];
+  const bool unknown = scene_.survey().points && !scene_.north_known();
+  north->setEnabled(!unknown);
+  if (unknown) north->setChecked(false);
+  north->setToolTip(unknown ? tr("Not drawn: nothing tells where north is in this cloud. The axes of its file or sensor "
+                                 "are not those of a plot or of a coordinate system.")
+                            : tr("Where the axes of the plot are known"));
 }
 
 }  // namespace bole::desktop

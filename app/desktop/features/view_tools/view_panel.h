@@ -30,6 +30,7 @@ class ViewPanel : public QWidget {
   void make_height_rows(QFormLayout* form);
   void make_clip_rows(QFormLayout* form);
   void make_switches(QFormLayout* form);
+  void show_north();
   void take_range();
   void take_heights(double lo, double hi);
   void take_clip();
@@ -44,6 +45,7 @@ class ViewPanel : public QWidget {
   QCheckBox *clip_, *handles_;
   std::array<QDoubleSpinBox*, 6> box_{};  // west, east, south, north, foot, top
   QComboBox* map_ = nullptr;
+  static constexpr std::size_t north_switch = 4;
   std::array<QCheckBox*, 6> switches_{};  // as in the settings
   bool following_ = false;                // shows a state, makes none
 };

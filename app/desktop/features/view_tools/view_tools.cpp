@@ -4,6 +4,7 @@
 
 #include "features/view_tools/bookmarks.h"
 #include "features/view_tools/export_image.h"
+#include "features/view_tools/fly.h"
 #include "features/view_tools/plan_map.h"
 #include "features/view_tools/plot_boundary.h"
 #include "features/view_tools/view_panel.h"
@@ -113,6 +114,7 @@ void install_view_tools(Workbench& bench) {
                    [b](const QPoint& global) { b->commands().show_menu("scene", global); });
   add_look_commands(bench, panel);
   new PlanMap(bench);
+  new Fly(bench);
   new PlotBoundary(bench);
   new Bookmarks(bench);
   add_image_export(bench);

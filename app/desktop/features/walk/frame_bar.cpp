@@ -70,6 +70,8 @@ void FrameBar::set_keyframes(const std::vector<double>& times_s) {
 
 void FrameBar::set_text(const QString& text) { label_->set_line(text); }
 
+QString FrameBar::text() const { return label_->text(); }
+
 int FrameBar::frame() const { return slider_->value(); }
 
 void FrameBar::set_frame(int index) { slider_->setValue(index); }

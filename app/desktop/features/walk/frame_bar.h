@@ -21,6 +21,7 @@ class FrameBar : public QWidget {
   void set_frames(std::vector<double> times_s);            // start of each; none: the bar is empty
   void set_keyframes(const std::vector<double>& times_s);  // where step_keyframe() stops
   void set_text(const QString& text);
+  QString text() const;
 
   int frame() const;
   int frames() const { return static_cast<int>(times_s_.size()); }

@@ -62,7 +62,10 @@ WalkPanel::WalkPanel(Session& session, Runner& runs, QWidget* parent)
     following_ = false;
     ask(frame);
   });
-  connect(&runs_, &Runner::snapshot_taken, this, [this](const QString&, const DataSet& part) { take(part); });
+  connect(&runs_, &Runner::snapshot_taken, this, [this](const QString& stage, const DataSet& part) { take(stage, part); });
+  connect(&runs_, &Runner::jobs_changed, this, [this] {
+    if (is_live_ && following_) bar_->set_text(live_text());
+  });
   connect(&runs_, &Runner::finished, this,
           [this](const vtkbridge::RunOutcome&, const Results& results) { show_result(results); });
   connect(&runs_, &Runner::job_began, this, [this] {
@@ -83,13 +86,14 @@ void WalkPanel::open_scan() {
   reader_->open(node);
 }
 
-void WalkPanel::take(const DataSet& part) {
+void WalkPanel::take(const QString& stage, const DataSet& part) {
   if (!part.has("keyframes") && !part.has("loops") && !part.has("trajectory")) return;  // of another kind of stage
   if (!is_live_) {
     is_live_ = true;
     view_->clear();
     Q_EMIT live_began();
   }
+  live_stage_ = stage;
   live_.add(part);
   if (live_.state()) {
     const auto now = Job::Clock::now();
@@ -110,11 +114,17 @@ double WalkPanel::frames_per_s() const {
   return s > 0 ? static_cast<double>(pace_.back().second - pace_.front().second) / s : 0;
 }
 
+// Frames are left to it: it was not told to end with what it has, and no other stage runs.
+bool WalkPanel::live_stage_goes_on() const {
+  const auto job = runs_.current();
+  return job && job->stage == live_stage_ && !job->ending;
+}
+
 QString WalkPanel::live_text() const {
   if (!live_.state()) return {};
   const auto& s = *live_.state();
   QString text = tr("frame %1 of %2").arg(s.frame + 1).arg(s.frames);
-  if (const double pace = frames_per_s(); pace > 0)
+  if (const double pace = frames_per_s(); pace > 0 && live_stage_goes_on())
     text += tr("   %1 frames/s   %2 left")
                 .arg(pace, 0, 'f', pace < 10 ? 1 : 0)
                 .arg(duration_text(static_cast<double>(s.frames - 1 - s.frame) / pace));
@@ -145,6 +155,7 @@ void WalkPanel::show_result(const Results& results) {
     }
     if (bar_->frames() > 0) ask(bar_->frame());
   }
+  if (was_live && following_ && live_.state()) bar_->set_text(live_text());  // until the frame is read
   if (was_live) Q_EMIT live_ended();
 }
 

@@ -31,10 +31,11 @@ class WalkPanel : public QWidget {
 
  private:
   void open_scan();
-  void take(const DataSet& part);
+  void take(const QString& stage, const DataSet& part);
   void show_result(const Results& results);
   void ask(int frame);
   void show_frame(const PlacedFrame& frame);
+  bool live_stage_goes_on() const;
   QString live_text() const;
   std::shared_ptr<const Trajectory> path() const;
 
@@ -46,6 +47,7 @@ class WalkPanel : public QWidget {
   QString document_;  // path of the one whose walk is shown
   std::string scan_;  // what the reader has open
   LiveMap live_;
+  QString live_stage_;  // that makes it
   bool is_live_ = false, following_ = true;  // following: the frame in work is shown, until somebody moves the slider
   std::shared_ptr<const Trajectory> walk_;   // of the last result
   double first_s_ = 0;                       // time of the first frame

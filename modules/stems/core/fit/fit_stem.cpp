@@ -16,6 +16,7 @@
 #include "stems/core/fit/seen_bark.h"
 #include "stems/core/fit/stem_points.h"
 #include "stems/core/fit/stem_sections.h"
+#include "stems/core/fit/stem_shape.h"
 #include "stems/core/sensor_facts.h"
 
 namespace bole::stems {
@@ -51,23 +52,8 @@ double blurred_views_sd(double view_sd_m) {
   return std::min(most_m, share * std::sqrt(std::max(0.0, excess2)));
 }
 
-// Stems are not round: what is seen of one tells the mean of all sides only so well.
-double unseen_shape_sd(double radius_m, double arc_rad) {
-  constexpr double out_of_round = 0.02;  // spread of the radius between sides, relative
-  return out_of_round * radius_m * std::max(0.0, 1 - arc_rad / (2 * std::numbers::pi));
-}
-
 // Without rays a wide beam and noise across the bark make circles too wide, by more where points scatter more.
 double unknown_beam_sd(double sigma_m) { return 0.12 * sigma_m; }
-
-// And points of a wide beam that brushed the edges of a stem lie beside it. Where it was seen all round others tell
-// against them; the less of it was seen, the more its circle follows them, and always outward. The numbers were read
-// off three simulated scans of one sensor and tried on others (docs/dev/diameters.md, "Clouds without rays").
-double unknown_edges_m(double sigma_m, double arc_rad) {
-  constexpr double by_unseen_squared = 10, most = 2;  // of the scatter
-  const double unseen = std::max(0.0, 1 - arc_rad / (2 * std::numbers::pi));
-  return sigma_m * std::min(most, by_unseen_squared * unseen * unseen);
-}
 
 // Buttresses and flutes stray from the circle by more than ranges scatter on other stems, whose scatter differs by a
 // fifth (three simulated maps; fluted stems had 1.37 times as much and more). A tape lies on what stands out.
