@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "base/error.h"
 #include "document/edit_list.h"
 #include "look/language.h"
 #include "panels/log_panel.h"
@@ -89,8 +90,16 @@ class FindingWordsTest : public QObject {
     QCOMPARE(finding_words(QString("no boundary, trees from 7.5 cm")), QStringLiteral("没有边界，树木自 7.5 cm 起"));
     QCOMPARE(finding_words(QString("12 stems count: basal area 0.50 m2; 3 outside the plot; 2 too thin")),
              QStringLiteral("计入 12 株：断面积 0.50 m2；样地外 3 株；过细 2 株"));
-    QCOMPARE(finding_words(QString("cloud.xyz: 72000 points, given in memory")).right(7),
+    QCOMPARE(finding_words(QString("cloud.xyz: 72000 points, given in memory")).right(6),
              QStringLiteral("，由内存给出"));
+  }
+
+  void errors_are_translated_part_by_part() {
+    const auto error = bad_input("none of 300 points has a height above ground", "a terrain model below the points",
+                                 "Look at the ground stage: was any ground found?")
+                           .at("slice");
+    QCOMPARE(finding_words(QString(error.what())),
+             QStringLiteral("slice: 300 个点都没有离地高度；需要：点以下的地形模型。请查看地面步骤：是否找到地面？"));
   }
 
   void names_of_stages_and_lines_stay() {

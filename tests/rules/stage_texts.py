@@ -10,6 +10,7 @@ import sys
 
 from cpp_texts import MOST_TEXTS, Source, split, tokens_of
 
+PLACE = "\x00"  # of an inserted value, in a text
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # What a finding, a warning or a message goes through last: the name of the call, and which argument is the text.
 # A vector of warnings is told by someone else later.
@@ -17,7 +18,11 @@ LISTS = re.compile(r"warnings_?|damage_?|told|left_out")
 HELD = {"message", "warning", "stopped", "why", "lost", "note", "evidence", "unknown", "assumed_size", "rejected", "error"}  # members whose text is told later
 REFUSALS = {"bad_input", "failure"}  # what was found, what was needed, what to do
 # Modules whose errors are asked for. Those of the others are mostly of damaged files.
-WITH_REFUSALS = set()
+WITH_REFUSALS = {
+    "base", "cloud", "documents", "evaluation", "geo", "ground", "inventory", "pipeline", "rows", "slam", "stems", "survey", "vtkbridge",
+}
+# Of these files only programs see errors: results that were stored, and data from Python and ParaView.
+FOR_PROGRAMS = re.compile(r"modules/(?:cloud/serialize|pipeline/report_json|vtkbridge/(?:grid_and_path_conversion|result_cache))\.cpp")
 # Texts that stand in tables of the code: units, and edits (those with an underscore stay names).
 IN_TABLES = {
     "modules/stems/core/edits/stem_edits.cpp": [
@@ -34,14 +39,13 @@ IN_TABLES = {
 }
 # Figures are called by the first argument of `add`, or by a member; progress says which is drawn.
 FIGURES = {"modules/report/survey_figures.cpp", "modules/report/compare/compare_figures.cpp"}
-NO_WORDS = {"Livox", "unit", "up"}  # a name, and names of options
+NO_WORDS = {"Livox", "unit", "up", f"--set {PLACE}"}  # names, also of options
 FILE = re.compile(r"tum_freiburg|<.*|[\w%./*-]*(?:\.(?:csv|html|json|tum|ply|xlsx|gpkg|geojson|laz|las|tif)|/|changed-[%\d-]*)")
 UNITS = set("m mm cm km ms min deg mrad rad px pixel Hz kHz MHz MiB GiB KiB MB GB ha kg th nd st dB ppm".split())
 NUMBERS = {"number_text", "option_text", "limit_text"}
 HTML = "modules/report/core/"  # the texts of the page that a report is
 SHARED = {"base", "camera", "cloud", "geo"}
 DEPTH = 6
-PLACE = "\x00"  # of an inserted value, in a text
 
 
 def plain(template):
@@ -69,6 +73,7 @@ class Texts:
         self.sources = sources
         self.found = {}  # text: place
         self.unread = []  # (place, expression) of what is told and holds no text that could be read
+        self.refusing = False  # the text in hand is that of an error
         self.by_name = {}
         self.memory = {}
         for source in sources:
@@ -78,9 +83,10 @@ class Texts:
     def told(self):
         for source in self.sources:
             for place, argument in roots(source):
+                self.refusing = source.tokens[place].text in REFUSALS
                 texts = self.texts(source, place, argument, DEPTH)
                 self.add(source, place, texts)
-                if not any(has_words(text) for text in texts) and not self.is_a_known_call(argument):
+                if not any(has_words(text) for text in texts) and not self.refusing and not self.is_a_known_call(argument):
                     self.unread.append((f"{source.path}:{source.tokens[place].line}", argument))
             for text in IN_TABLES.get(source.path, []):
                 self.found.setdefault(text, f"{source.path}:1")
@@ -92,6 +98,9 @@ class Texts:
 
     def add(self, source, at, texts):
         for text in texts:
+            text = text.strip("\n")
+            if self.refusing and " " not in text:
+                continue  # a word alone is the name of a key, an option or a column
             if has_words(text) and not FILE.fullmatch(plain(text)) and text not in NO_WORDS:
                 self.found.setdefault(numbered(text), f"{source.path}:{source.tokens[at].line}")
 
@@ -167,7 +176,7 @@ class Texts:
     def returned(self, source, at, name, depth, of_an_object):
         if name in NUMBERS:
             return [PLACE]
-        key = (name, source.path)
+        key = (name, source.path, self.refusing)
         if key in self.memory:
             return self.memory[key]
         self.memory[key] = [PLACE]
@@ -198,7 +207,7 @@ class Texts:
 
     # What any function of the module puts into a member: inserted, with words of its own.
     def member(self, source, name, depth):
-        key = (name, source.module)
+        key = (name, source.module, self.refusing)
         if key not in self.memory:
             self.memory[key] = [PLACE]
             for other in self.sources:
@@ -234,7 +243,7 @@ class Texts:
         return texts and ([text for text in texts if text] or [PLACE])
 
     def passed(self, source, function, name, depth):
-        key = (source.path, function.name, name)
+        key = (source.path, function.name, name, self.refusing)
         if key in self.memory:
             return self.memory[key]
         self.memory[key] = [PLACE]
@@ -340,7 +349,7 @@ def roots(source):
         if tokens[i + 1].is_op("(", "{"):
             if token.text.endswith("Conflict") and tokens[i - 1].text in {"throw", "return"}:
                 yield i, arguments_at(tokens, i)[0]  # becomes a warning
-            if token.text in REFUSALS and source.module in WITH_REFUSALS:
+            if token.text in REFUSALS and source.module in WITH_REFUSALS and not FOR_PROGRAMS.fullmatch(source.path):
                 yield from ((i, a) for a in arguments_at(tokens, i)[:3] if a)
             if not member:
                 continue

@@ -129,7 +129,7 @@ class FindingCatalogue {
         const auto words = all_words(*inserted);
         bool known = true;  // or names and numbers
         for (int i = 0; i < words.size(); ++i)
-          known &= words[i] != inserted->at(i) || words[i].count(' ') < most_words_of_a_name;
+          known &= words[i] != inserted->at(i) || words[i].count(' ') < (pattern.is_weak() ? 1 : most_words_of_a_name);
         if (known || with_unknown) return pattern.filled(words);
       }
     }

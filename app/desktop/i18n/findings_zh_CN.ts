@@ -4,6 +4,122 @@
     <context>
         <name>base</name>
         <message>
+            <source>Move the folder away</source>
+            <translation>请移走该文件夹</translation>
+        </message>
+        <message>
+            <source>a name that is free</source>
+            <translation>可用的名称</translation>
+        </message>
+        <message>
+            <source>cannot write '%1': there is a folder of that name</source>
+            <translation>无法写入“%1”：已有同名的文件夹</translation>
+        </message>
+        <message>
+            <source>cannot put '%1' in place: %2</source>
+            <translation>无法放置“%1”：%2</translation>
+        </message>
+        <message>
+            <source>a folder that may be written to</source>
+            <translation>可写的文件夹</translation>
+        </message>
+        <message>
+            <source>cannot write '%1'</source>
+            <translation>无法写入“%1”</translation>
+        </message>
+        <message>
+            <source>space on the disk</source>
+            <translation>磁盘空间</translation>
+        </message>
+        <message>
+            <source>true or false%1</source>
+            <translation>true 或 false 之一%1</translation>
+        </message>
+        <message>
+            <source>true or false, or %1</source>
+            <translation>true 或 false，或 %1</translation>
+        </message>
+        <message>
+            <source>a whole number from %1 to %2</source>
+            <translation>%1 至 %2 的整数</translation>
+        </message>
+        <message>
+            <source>a whole number from %1 to %2 %3</source>
+            <translation>%1 至 %2 %3 的整数</translation>
+        </message>
+        <message>
+            <source>a whole number from %1 to %2 %3, or %4</source>
+            <translation>%1 至 %2 %3 的整数，或 %4</translation>
+        </message>
+        <message>
+            <source>a whole number from %1 to %2, or %3</source>
+            <translation>%1 至 %2 的整数，或 %3</translation>
+        </message>
+        <message>
+            <source>a number from %1 to %2</source>
+            <translation>%1 至 %2 的数</translation>
+        </message>
+        <message>
+            <source>a number from %1 to %2 %3</source>
+            <translation>%1 至 %2 %3 的数</translation>
+        </message>
+        <message>
+            <source>a number from %1 to %2 %3, or %4</source>
+            <translation>%1 至 %2 %3 的数，或 %4</translation>
+        </message>
+        <message>
+            <source>a number from %1 to %2, or %3</source>
+            <translation>%1 至 %2 的数，或 %3</translation>
+        </message>
+        <message>
+            <source>one of</source>
+            <translation>之一</translation>
+        </message>
+        <message>
+            <source>one of%1</source>
+            <translation>下列之一：%1</translation>
+        </message>
+        <message>
+            <source>option %1 is '%2'</source>
+            <translation>选项 %1 为“%2”</translation>
+        </message>
+        <message>
+            <source>no option: there is none here</source>
+            <translation>没有选项：此处没有选项</translation>
+        </message>
+        <message>
+            <source>the name of an option</source>
+            <translation>选项的名称</translation>
+        </message>
+        <message>
+            <source>there is no option '%1'</source>
+            <translation>没有选项“%1”</translation>
+        </message>
+        <message>
+            <source> or %1</source>
+            <translation> 或 %1</translation>
+        </message>
+        <message>
+            <source>Did you mean %1</source>
+            <translation>是否指 %1</translation>
+        </message>
+        <message>
+            <source>'%1' is none of the choices</source>
+            <translation>“%1”不在可选值中</translation>
+        </message>
+        <message>
+            <source>Set the environment variable BOLE_RESOURCE_DIR to the folder 'resources' of Bole</source>
+            <translation>请将环境变量 BOLE_RESOURCE_DIR 设为 Bole 的文件夹“resources”</translation>
+        </message>
+        <message>
+            <source>a file that comes with Bole</source>
+            <translation>随 Bole 提供的文件</translation>
+        </message>
+        <message>
+            <source>there is no '%1'</source>
+            <translation>没有“%1”</translation>
+        </message>
+        <message>
             <source>ended early: the result is not complete</source>
             <translation>提前结束：结果不完整</translation>
         </message>
@@ -11,8 +127,196 @@
     <context>
         <name>cloud</name>
         <message>
+            <source>Measure the stems anew, or take the fact breast_height_m away</source>
+            <translation>请重新测定单木，或去掉附注 breast_height_m</translation>
+        </message>
+        <message>
+            <source>metres from 0.1 to 5</source>
+            <translation>0.1 至 5 的米数</translation>
+        </message>
+        <message>
+            <source>the stem table says "%1" for its breast height</source>
+            <translation>单木表给出的胸高为“%1”</translation>
+        </message>
+        <message>
+            <source>15 numbers</source>
+            <translation>15 个数</translation>
+        </message>
+        <message>
+            <source>Run the stage survey.georeference again</source>
+            <translation>请重新运行步骤 survey.georeference</translation>
+        </message>
+        <message>
+            <source>the data say '%1' for '%2'</source>
+            <translation>数据中“%2”为“%1”</translation>
+        </message>
+        <message>
+            <source>a matrix that keeps lengths</source>
+            <translation>保持长度的矩阵</translation>
+        </message>
+        <message>
+            <source>the place of the axes ('%1') is no turn and shift</source>
+            <translation>坐标轴的位置（“%1”）不是旋转加平移</translation>
+        </message>
+        <message>
+            <source>only_free is %1</source>
+            <translation>only_free 为 %1</translation>
+        </message>
+        <message>
+            <source>true or false</source>
+            <translation>true 或 false 之一</translation>
+        </message>
+        <message>
+            <source>only_tree and only_free are both given</source>
+            <translation>同时给出了 only_tree 和 only_free</translation>
+        </message>
+        <message>
+            <source>points of one tree, or of none</source>
+            <translation>一株树的点，或不属于任何树的点</translation>
+        </message>
+        <message>
+            <source>at most %1</source>
+            <translation>至多 %1 个</translation>
+        </message>
+        <message>
+            <source>outline has %1 places</source>
+            <translation>轮廓有 %1 个位置</translation>
+        </message>
+        <message>
+            <source>path has %1 places</source>
+            <translation>路径有 %1 个位置</translation>
+        </message>
+        <message>
+            <source>within has %1 places</source>
+            <translation>within 有 %1 个位置</translation>
+        </message>
+        <message>
+            <source>[least, most] in metres</source>
+            <translation>以米计的 [最小, 最大]</translation>
+        </message>
+        <message>
+            <source>depth_m is %1</source>
+            <translation>depth_m 为 %1</translation>
+        </message>
+        <message>
+            <source>an outline around points</source>
+            <translation>围住点的轮廓</translation>
+        </message>
+        <message>
+            <source>the corners of the outline lie on one line</source>
+            <translation>轮廓的角点在一条直线上</translation>
+        </message>
+        <message>
+            <source>Draw it again</source>
+            <translation>请重新绘制</translation>
+        </message>
+        <message>
+            <source>sides that do not meet</source>
+            <translation>互不相交的边</translation>
+        </message>
+        <message>
+            <source>the outline crosses itself</source>
+            <translation>轮廓自相交</translation>
+        </message>
+        <message>
+            <source>%1 has %2</source>
+            <translation>%1 有 %2</translation>
+        </message>
+        <message>
+            <source>[x, y, z] in metres</source>
+            <translation>以米计的 [x, y, z]</translation>
+        </message>
+        <message>
+            <source>outline (with eye and depth_m where needed), or centre and size_m (and turn_deg), or path and radius_m</source>
+            <translation>outline（需要时带 eye 和 depth_m），或 centre 和 size_m（以及 turn_deg），或 path 和 radius_m</translation>
+        </message>
+        <message>
+            <source>the edit does not say which points</source>
+            <translation>编辑没有指明哪些点</translation>
+        </message>
+        <message>
+            <source>its lower corner first, in x, y and z</source>
+            <translation>先给出 x、y 和 z 较小的角点</translation>
+        </message>
+        <message>
+            <source>within ends before it begins</source>
+            <translation>within 的终点在起点之前</translation>
+        </message>
+        <message>
+            <source>nothing of the right kind is connected to the input '%1'</source>
+            <translation>输入“%1”没有连接合适类型的内容</translation>
+        </message>
+        <message>
+            <source>the output of an earlier stage</source>
+            <translation>前面步骤的输出</translation>
+        </message>
+        <message>
+            <source>"action": one of %1</source>
+            <translation>"action"：%1 之一</translation>
+        </message>
+        <message>
+            <source>no known action in %1</source>
+            <translation>%1 中没有已知的操作</translation>
+        </message>
+        <message>
+            <source>%1 without %2</source>
+            <translation>%1 缺少 %2</translation>
+        </message>
+        <message>
+            <source>%1 does not take '%2'</source>
+            <translation>%1 不接受“%2”</translation>
+        </message>
+        <message>
+            <source>only what the action uses</source>
+            <translation>只给出该操作所用的内容</translation>
+        </message>
+        <message>
+            <source>%1 is %2</source>
+            <translation>%1 为 %2</translation>
+        </message>
+        <message>
+            <source>a position [x, y] in metres</source>
+            <translation>以米计的位置 [x, y]</translation>
+        </message>
+        <message>
+            <source>a list of at least %1</source>
+            <translation>至少 %1 项的列表</translation>
+        </message>
+        <message>
+            <source>a text</source>
+            <translation>文本</translation>
+        </message>
+        <message>
+            <source>a JSON list of edits</source>
+            <translation>编辑的 JSON 列表</translation>
+        </message>
+        <message>
+            <source>the edits are no JSON</source>
+            <translation>编辑不是 JSON</translation>
+        </message>
+        <message>
+            <source>the edits are no list</source>
+            <translation>编辑不是列表</translation>
+        </message>
+        <message>
+            <source>a file with a JSON list of edits</source>
+            <translation>含编辑的 JSON 列表的文件</translation>
+        </message>
+        <message>
+            <source>cannot read %1</source>
+            <translation>无法读取 %1</translation>
+        </message>
+        <message>
             <source>Looking at the cloud</source>
             <translation>查看点云</translation>
+        </message>
+        <message>
+            <source>Set the option that stands for this fact, or correct the data</source>
+            <translation>请设置代表该附注的选项，或更正数据</translation>
+        </message>
+        <message>
+            <source>given or estimated</source>
+            <translation>给定的或估计的</translation>
         </message>
         <message>
             <source>the facts of the file are damaged (no JSON object) and were left out</source>
@@ -31,6 +335,46 @@
             <translation>%1 GB 的列留在内存中：没有临时文件夹容得下它们。请腾出磁盘空间，或将 TMPDIR 设为有空间的文件夹</translation>
         </message>
         <message>
+            <source>a table without '%1' in its facts</source>
+            <translation>附注中没有“%1”的表</translation>
+        </message>
+        <message>
+            <source>the plot of a stage survey.plot</source>
+            <translation>步骤 survey.plot 给出的样地</translation>
+        </message>
+        <message>
+            <source>a number</source>
+            <translation>数</translation>
+        </message>
+        <message>
+            <source>the fact '%1' of the plot is '%2'</source>
+            <translation>样地的附注“%1”为“%2”</translation>
+        </message>
+        <message>
+            <source>vertex %1 of the plot boundary has no position</source>
+            <translation>样地边界的第 %1 个顶点没有位置</translation>
+        </message>
+        <message>
+            <source>x_m and y_m in every row</source>
+            <translation>每行都有 x_m 和 y_m</translation>
+        </message>
+        <message>
+            <source>a plot boundary of %1 vertices that encloses nothing</source>
+            <translation>%1 个顶点的样地边界没有围住任何区域</translation>
+        </message>
+        <message>
+            <source>at least three that do not lie on one line</source>
+            <translation>至少三个，且不在一条直线上</translation>
+        </message>
+        <message>
+            <source>the plot boundary crosses itself</source>
+            <translation>样地边界自相交</translation>
+        </message>
+        <message>
+            <source>vertices in order around the plot</source>
+            <translation>沿样地依次排列的顶点</translation>
+        </message>
+        <message>
             <source>circle of radius %1 m</source>
             <translation>半径 %1 m 的圆</translation>
         </message>
@@ -41,6 +385,117 @@
         <message>
             <source>no boundary</source>
             <translation>没有边界</translation>
+        </message>
+        <message>
+            <source>axes '%1'</source>
+            <translation>坐标轴“%1”</translation>
+        </message>
+        <message>
+            <source>unknown, sensor, map, plot or global</source>
+            <translation>unknown、sensor、map、plot 或 global</translation>
+        </message>
+        <message>
+            <source>It has: %1</source>
+            <translation>现有：%1</translation>
+        </message>
+        <message>
+            <source>It has: none</source>
+            <translation>现有：无</translation>
+        </message>
+        <message>
+            <source>one of that name</source>
+            <translation>该名称的数组</translation>
+        </message>
+        <message>
+            <source>the cloud has no array '%1'</source>
+            <translation>点云没有数组“%1”</translation>
+        </message>
+        <message>
+            <source>%1, one per point</source>
+            <translation>%1 个，每点一个</translation>
+        </message>
+        <message>
+            <source>array '%1' has %2 values</source>
+            <translation>数组“%1”有 %2 个值</translation>
+        </message>
+        <message>
+            <source>another type</source>
+            <translation>另一类型</translation>
+        </message>
+        <message>
+            <source>array '%1' has type %2</source>
+            <translation>数组“%1”的类型为 %2</translation>
+        </message>
+        <message>
+            <source>table column '%1' has %2 rows</source>
+            <translation>表的列“%1”有 %2 行</translation>
+        </message>
+        <message>
+            <source>the table has no column '%1'</source>
+            <translation>表没有列“%1”</translation>
+        </message>
+        <message>
+            <source>column '%1' holds text</source>
+            <translation>列“%1”为文本</translation>
+        </message>
+        <message>
+            <source>column '%1' does not hold whole numbers</source>
+            <translation>列“%1”不是整数</translation>
+        </message>
+        <message>
+            <source>whole numbers</source>
+            <translation>整数</translation>
+        </message>
+        <message>
+            <source>column '%1' holds numbers</source>
+            <translation>列“%1”为数</translation>
+        </message>
+        <message>
+            <source>at least 2</source>
+            <translation>至少 2 个</translation>
+        </message>
+        <message>
+            <source>the trajectory has %1 poses</source>
+            <translation>轨迹有 %1 个位姿</translation>
+        </message>
+        <message>
+            <source>Check that the trajectory and the scan use the same clock</source>
+            <translation>请检查轨迹和扫描是否使用同一时钟</translation>
+        </message>
+        <message>
+            <source>a time from %1 to %2 s</source>
+            <translation>%1 至 %2 s 之间的时间</translation>
+        </message>
+        <message>
+            <source>no pose near time %1 s</source>
+            <translation>时间 %1 s 附近没有位姿</translation>
+        </message>
+    </context>
+    <context>
+        <name>documents</name>
+        <message>
+            <source>a pipeline document (JSON), or one that comes with Bole: %1</source>
+            <translation>处理流程文档（JSON），或随 Bole 提供的：%1</translation>
+        </message>
+        <message>
+            <source>there is no pipeline '%1'</source>
+            <translation>没有处理流程“%1”</translation>
+        </message>
+        <message>
+            <source>'%1' is a %2 (%3)</source>
+            <translation>“%1”是 %2（%3）</translation>
+        </message>
+        <message>
+            <source>To survey it: bole survey %1 --out DIR</source>
+            <translation>要调查它：bole survey %1 --out DIR</translation>
+        </message>
+        <message>
+            <source>a pipeline document (JSON)</source>
+            <translation>处理流程文档（JSON）</translation>
+        </message>
+        <message>
+            <source>'%1' is a folder without frames of a scan</source>
+            <translation>“%1”是不含扫描帧的文件夹</translation>
         </message>
     </context>
     <context>
@@ -78,12 +533,140 @@
             <translation>%1 和 %2</translation>
         </message>
         <message>
+            <source>the reference has %1 poses</source>
+            <translation>参照有 %1 个位姿</translation>
+        </message>
+        <message>
+            <source>names of the plants</source>
+            <translation>植株的名称</translation>
+        </message>
+        <message>
+            <source>the estimated table has %1 plants and no column plant_id</source>
+            <translation>估计表有 %1 株植株而没有列 plant_id</translation>
+        </message>
+        <message>
+            <source>the reference table has %1 plants and no column plant_id</source>
+            <translation>参照表有 %1 株植株而没有列 plant_id</translation>
+        </message>
+        <message>
+            <source>every plant once</source>
+            <translation>每株植株一次</translation>
+        </message>
+        <message>
+            <source>the estimated table has the plant '%1' twice</source>
+            <translation>估计表中植株“%1”出现两次</translation>
+        </message>
+        <message>
+            <source>the reference table has the plant '%1' twice</source>
+            <translation>参照表中植株“%1”出现两次</translation>
+        </message>
+        <message>
+            <source>first estimated: '%1', first reference: '%2'</source>
+            <translation>估计表的第一个：“%1”，参照表的第一个：“%2”</translation>
+        </message>
+        <message>
+            <source>no plant_id is in both tables</source>
+            <translation>没有同时在两个表中的 plant_id</translation>
+        </message>
+        <message>
+            <source>the same names in both</source>
+            <translation>两者名称相同</translation>
+        </message>
+        <message>
+            <source>height_mm and the like</source>
+            <translation>height_mm 之类的列</translation>
+        </message>
+        <message>
+            <source>the tables share no column of numbers with values</source>
+            <translation>两个表没有共同的有值的数值列</translation>
+        </message>
+        <message>
+            <source>Compare rows.csv with rows.csv, or plants.csv with plants.csv</source>
+            <translation>请将 rows.csv 与 rows.csv 比较，或将 plants.csv 与 plants.csv 比较</translation>
+        </message>
+        <message>
+            <source>both rows (row_id, x0_m, y0_m, x1_m, y1_m) or both plants (row_id, x_m, y_m)</source>
+            <translation>同为行（row_id, x0_m, y0_m, x1_m, y1_m）或同为植株（row_id, x_m, y_m）</translation>
+        </message>
+        <message>
+            <source>the two tables are not of one kind</source>
+            <translation>两个表的类型不同</translation>
+        </message>
+        <message>
+            <source>Name them: evaluate.reference_columns="x_m=E, y_m=N, dbh_cm=DIAM:mm" (on the command line --reference-columns)</source>
+            <translation>请指定：evaluate.reference_columns="x_m=E, y_m=N, dbh_cm=DIAM:mm"（命令行为 --reference-columns）</translation>
+        </message>
+        <message>
+            <source>the columns of the reference are %1</source>
+            <translation>参照的列为 %1</translation>
+        </message>
+        <message>
+            <source>x_m, y_m (or azimuth_deg, distance_m) and dbh_cm, or headings that say the same</source>
+            <translation>x_m、y_m（或 azimuth_deg、distance_m）和 dbh_cm，或同义的标题</translation>
+        </message>
+        <message>
             <source>stems</source>
             <translation>单木表</translation>
         </message>
         <message>
             <source>reference</source>
             <translation>参照表</translation>
+        </message>
+        <message>
+            <source>%1 to %2 s</source>
+            <translation>%1 至 %2 s</translation>
+        </message>
+        <message>
+            <source>%1 of %2 poses have a reference at their time (estimate %3, reference %4)</source>
+            <translation>%2 个位姿中有 %1 个在其时刻有参照（估计 %3，参照 %4）</translation>
+        </message>
+        <message>
+            <source>Check that both trajectories use the same clock, or raise max_time_gap</source>
+            <translation>请检查两条轨迹是否使用同一时钟，或增大 max_time_gap</translation>
+        </message>
+        <message>
+            <source>at least 3</source>
+            <translation>至少 3 个</translation>
+        </message>
+        <message>
+            <source>option columns: '%1'</source>
+            <translation>选项 columns：“%1”</translation>
+        </message>
+        <message>
+            <source>option rows: '%1'</source>
+            <translation>选项 rows：“%1”</translation>
+        </message>
+        <message>
+            <source>rules such as dbh_cm=DIAM:mm</source>
+            <translation>dbh_cm=DIAM:mm 之类的规则</translation>
+        </message>
+        <message>
+            <source>rules such as plot=3</source>
+            <translation>plot=3 之类的规则</translation>
+        </message>
+        <message>
+            <source>one of: %1</source>
+            <translation>下列之一：%1</translation>
+        </message>
+        <message>
+            <source>there is no column '%1'</source>
+            <translation>没有列“%1”</translation>
+        </message>
+        <message>
+            <source>mm, cm, dm, m, in or ft for lengths, deg or gon for angles, and a name that ends in its unit</source>
+            <translation>长度用 mm、cm、dm、m、in 或 ft，角度用 deg 或 gon，且名称以其单位结尾</translation>
+        </message>
+        <message>
+            <source>unit '%1' for column '%2'</source>
+            <translation>列“%2”的单位“%1”</translation>
+        </message>
+        <message>
+            <source>a value that the column has</source>
+            <translation>该列具有的值</translation>
+        </message>
+        <message>
+            <source>no row has %1</source>
+            <translation>没有行满足 %1</translation>
         </message>
         <message>
             <source>%1 runs of %2 plots, %3 with a reference, %4 pairs</source>
@@ -104,6 +687,14 @@
         <message>
             <source>one run is compared with its reference only: no other is named</source>
             <translation>只有一次运行与其参照比较：没有指定其他运行</translation>
+        </message>
+        <message>
+            <source>no row of the %1 has a position</source>
+            <translation>%1没有一行有位置</translation>
+        </message>
+        <message>
+            <source>x_m and y_m</source>
+            <translation>列 x_m 和 y_m</translation>
         </message>
         <message>
             <source>%1 of %2 rows of the %3 have no position and are left out</source>
@@ -194,6 +785,14 @@
             <translation>%2 株中有 %1 株与参照一致：其数值没有意义；%3</translation>
         </message>
         <message>
+            <source>Connect the input 'trajectory'</source>
+            <translation>请连接输入“trajectory”</translation>
+        </message>
+        <message>
+            <source>a reference trajectory is connected but no trajectory</source>
+            <translation>连接了参照轨迹而没有连接轨迹</translation>
+        </message>
+        <message>
             <source>%1 poses compared</source>
             <translation>比较了 %1 个位姿</translation>
         </message>
@@ -233,6 +832,50 @@
     <context>
         <name>geo</name>
         <message>
+            <source>Place another mark</source>
+            <translation>请再设一个标志</translation>
+        </message>
+        <message>
+            <source>a pose from %1 marks</source>
+            <translation>由 %1 个标志确定的位姿</translation>
+        </message>
+        <message>
+            <source>finite coordinates, and a distance from the sensor</source>
+            <translation>有限的坐标，且与传感器有距离</translation>
+        </message>
+        <message>
+            <source>mark %1 has no place, or is seen in the sensor itself</source>
+            <translation>标志 %1 没有位置，或位于传感器处</translation>
+        </message>
+        <message>
+            <source>a standard deviation of %1</source>
+            <translation>标准差为 %1</translation>
+        </message>
+        <message>
+            <source>positive standard deviations</source>
+            <translation>正的标准差</translation>
+        </message>
+        <message>
+            <source>Move one mark aside</source>
+            <translation>请将一个标志移到旁边</translation>
+        </message>
+        <message>
+            <source>marks in different directions</source>
+            <translation>方向不同的标志</translation>
+        </message>
+        <message>
+            <source>the marks stand above one another and carry no heading</source>
+            <translation>标志上下重叠，不能给出航向</translation>
+        </message>
+        <message>
+            <source>no zone is given, and the table has no longitude to derive it from</source>
+            <translation>没有给出投影带，表中也没有可据以推算的经度</translation>
+        </message>
+        <message>
+            <source>the option zone</source>
+            <translation>选项 zone</translation>
+        </message>
+        <message>
             <source>%1 points have metres and no degrees: unchanged</source>
             <translation>%1 个点只有米制坐标，没有经纬度：保持不变</translation>
         </message>
@@ -244,9 +887,301 @@
             <source>%1 points, central meridian %2 deg, %3</source>
             <translation>%1 个点，中央子午线 %2 度，%3</translation>
         </message>
+        <message>
+            <source>Look the code up at epsg.org, or copy the WKT from your GIS</source>
+            <translation>请在 epsg.org 查找代码，或从 GIS 软件复制 WKT</translation>
+        </message>
+        <message>
+            <source>a projected system in metres, by EPSG code or as WKT, for instance EPSG:25832</source>
+            <translation>以米为单位的投影坐标系，用 EPSG 代码或 WKT 给出，例如 EPSG:25832</translation>
+        </message>
+        <message>
+            <source>the coordinate reference system '%1' %2</source>
+            <translation>坐标参考系“%1”%2</translation>
+        </message>
+        <message>
+            <source>is empty</source>
+            <translation>为空</translation>
+        </message>
+        <message>
+            <source>is not known</source>
+            <translation>未知</translation>
+        </message>
+        <message>
+            <source>has degrees</source>
+            <translation>以度为单位</translation>
+        </message>
+        <message>
+            <source>is no projected system</source>
+            <translation>不是投影坐标系</translation>
+        </message>
+        <message>
+            <source>has the unit '%1' (%2 m)</source>
+            <translation>的单位为“%1”（%2 m）</translation>
+        </message>
+        <message>
+            <source>has the unit '?' (%1 m)</source>
+            <translation>的单位为“?”（%1 m）</translation>
+        </message>
+        <message>
+            <source>has no datum</source>
+            <translation>没有基准</translation>
+        </message>
+        <message>
+            <source>has a projection that PROJ does not compute</source>
+            <translation>的投影 PROJ 不能计算</translation>
+        </message>
+        <message>
+            <source>Are latitude and longitude swapped?</source>
+            <translation>纬度和经度是否弄反了？</translation>
+        </message>
+        <message>
+            <source>a position where the system is used</source>
+            <translation>该坐标系适用范围内的位置</translation>
+        </message>
+        <message>
+            <source>latitude %1, longitude %2 lies outside %3</source>
+            <translation>纬度 %1、经度 %2 在 %3 之外</translation>
+        </message>
+        <message>
+            <source>coordinates of that system</source>
+            <translation>该坐标系的坐标</translation>
+        </message>
+        <message>
+            <source>easting %1 m, northing %2 m lies outside %3</source>
+            <translation>东坐标 %1 m、北坐标 %2 m 在 %3 之外</translation>
+        </message>
+        <message>
+            <source>a resection from %1 ranges</source>
+            <translation>由 %1 个距离作后方交会</translation>
+        </message>
+        <message>
+            <source>at least 3 marks</source>
+            <translation>至少 3 个标志</translation>
+        </message>
+        <message>
+            <source>finite positions, positive ranges and sigmas</source>
+            <translation>有限的位置，正的距离和标准差</translation>
+        </message>
+        <message>
+            <source>mark %1 has position %2, range %3 m, sigma %4 m</source>
+            <translation>标志 %1 的位置为 %2，距离 %3 m，标准差 %4 m</translation>
+        </message>
+        <message>
+            <source>an approximate position, or marks that are not in one plane</source>
+            <translation>近似位置，或不在一个平面内的标志</translation>
+        </message>
+        <message>
+            <source>the ranges fit two positions alike, %1 and %2, mirrored in the plane of the marks</source>
+            <translation>距离与两个位置 %1 和 %2 同样相符，两者关于标志所在平面对称</translation>
+        </message>
+        <message>
+            <source>Raise a mark, or give the height of the sensor</source>
+            <translation>请升高一个标志，或给出传感器的高度</translation>
+        </message>
+        <message>
+            <source>Use marks in other directions</source>
+            <translation>请使用其他方向的标志</translation>
+        </message>
+        <message>
+            <source>at most %1 m</source>
+            <translation>至多 %1 m</translation>
+        </message>
+        <message>
+            <source>the position has a standard error of %1 m along %2</source>
+            <translation>位置沿 %2 方向的标准误差为 %1 m</translation>
+        </message>
+        <message>
+            <source>the position has a standard error of %1 m along %2: the sensor lies in the plane of the marks, or the ranges are too short to meet</source>
+            <translation>位置沿 %2 方向的标准误差为 %1 m：传感器在标志所在平面内，或距离太短而不能相交</translation>
+        </message>
+        <message>
+            <source>the position has a standard error of any size along %1</source>
+            <translation>位置沿 %1 方向的标准误差可为任意大小</translation>
+        </message>
+        <message>
+            <source>the position has a standard error of any size along %1: the sensor lies in the plane of the marks, or the ranges are too short to meet</source>
+            <translation>位置沿 %1 方向的标准误差可为任意大小：传感器在标志所在平面内，或距离太短而不能相交</translation>
+        </message>
+        <message>
+            <source>all marks are at one place</source>
+            <translation>所有标志都在同一位置</translation>
+        </message>
+        <message>
+            <source>marks in different directions from the sensor</source>
+            <translation>从传感器看方向不同的标志</translation>
+        </message>
+        <message>
+            <source>Move one mark off the line</source>
+            <translation>请将一个标志移开直线</translation>
+        </message>
+        <message>
+            <source>marks that span a triangle</source>
+            <translation>构成三角形的标志</translation>
+        </message>
+        <message>
+            <source>the marks lie on a line: the sensor may be anywhere on a circle about it</source>
+            <translation>标志在一条直线上：传感器可能在围绕它的圆上的任何位置</translation>
+        </message>
+        <message>
+            <source>Check which range belongs to which mark</source>
+            <translation>请检查距离与标志是否对应</translation>
+        </message>
+        <message>
+            <source>the ranges meet nowhere: the worst is off by %1 times its standard deviation</source>
+            <translation>各距离不相交于一点：最差的偏差为其标准差的 %1 倍</translation>
+        </message>
+        <message>
+            <source>a positive standard deviation</source>
+            <translation>正的标准差</translation>
+        </message>
+        <message>
+            <source>sigma %1 m</source>
+            <translation>标准差 %1 m</translation>
+        </message>
+        <message>
+            <source>Was another mark taken?</source>
+            <translation>是否取成了另一个标志？</translation>
+        </message>
+        <message>
+            <source>direction %1 is %2 m long as seen and %3 m as known</source>
+            <translation>方向 %1 的观测长度为 %2 m，已知长度为 %3 m</translation>
+        </message>
+        <message>
+            <source>lengths that agree to %1 m</source>
+            <translation>相差不超过 %1 m 的长度</translation>
+        </message>
+        <message>
+            <source>a heading from %1 directions that are as short as their error</source>
+            <translation>由 %1 个短如其误差的方向确定的航向</translation>
+        </message>
+        <message>
+            <source>at least one direction longer than that</source>
+            <translation>至少一个更长的方向</translation>
+        </message>
+        <message>
+            <source>a flattened ellipsoid such as GRS80</source>
+            <translation>GRS80 之类的扁椭球</translation>
+        </message>
+        <message>
+            <source>ellipsoid '%1' has semi-major axis %2 m and inverse flattening %3</source>
+            <translation>椭球“%1”的长半轴为 %2 m，扁率倒数为 %3</translation>
+        </message>
+        <message>
+            <source>a plane with central meridian %1 deg, latitude of origin %2 deg, scale %3, false easting %4 m, false northing %5 m</source>
+            <translation>中央子午线 %1 度、起始纬度 %2 度、比例 %3、东偏移 %4 m、北偏移 %5 m 的平面</translation>
+        </message>
+        <message>
+            <source>finite values, a positive scale, a meridian from -360 to 360 deg and a latitude from -90 to 90</source>
+            <translation>有限的值，正的比例，-360 至 360 度的子午线和 -90 至 90 的纬度</translation>
+        </message>
+        <message>
+            <source>Choose the zone that the point lies in</source>
+            <translation>请选择点所在的投影带</translation>
+        </message>
+        <message>
+            <source>at most %1 deg</source>
+            <translation>至多 %1 度</translation>
+        </message>
+        <message>
+            <source>longitude %1 deg is %2 deg from the central meridian %3 deg</source>
+            <translation>经度 %1 度距中央子午线 %3 度有 %2 度</translation>
+        </message>
+        <message>
+            <source>a latitude from -90 to 90 deg and finite numbers</source>
+            <translation>-90 至 90 度的纬度和有限的数</translation>
+        </message>
+        <message>
+            <source>latitude %1, longitude %2, height %3</source>
+            <translation>纬度 %1，经度 %2，高度 %3</translation>
+        </message>
+        <message>
+            <source>Gauss-Krueger zones of %1 deg</source>
+            <translation>%1 度的高斯-克吕格投影带</translation>
+        </message>
+        <message>
+            <source>zones of 3 or 6 deg</source>
+            <translation>3 度或 6 度带</translation>
+        </message>
+        <message>
+            <source>a longitude that is not a number</source>
+            <translation>经度不是数</translation>
+        </message>
+        <message>
+            <source>3-degree zones 1 to 120 or 6-degree zones 1 to 60</source>
+            <translation>3 度带的 1 至 120 带或 6 度带的 1 至 60 带</translation>
+        </message>
+        <message>
+            <source>Gauss-Krueger zone %1 of %2 deg</source>
+            <translation>%2 度的高斯-克吕格第 %1 带</translation>
+        </message>
+        <message>
+            <source>Check the false easting and whether the zone number stands before the easting</source>
+            <translation>请检查东偏移，以及东坐标前是否带有带号</translation>
+        </message>
+        <message>
+            <source>an easting near %1 m</source>
+            <translation>%1 m 附近的东坐标</translation>
+        </message>
+        <message>
+            <source>easting %1 m, northing %2 m lies outside the plane</source>
+            <translation>东坐标 %1 m、北坐标 %2 m 在平面之外</translation>
+        </message>
+        <message>
+            <source>-80 to 84 deg</source>
+            <translation>-80 至 84 度</translation>
+        </message>
+        <message>
+            <source>latitude %1 deg lies outside UTM</source>
+            <translation>纬度 %1 度在 UTM 范围之外</translation>
+        </message>
+        <message>
+            <source>1 to 60, or 0 for the standard zone</source>
+            <translation>1 至 60，标准带为 0</translation>
+        </message>
+        <message>
+            <source>UTM zone %1</source>
+            <translation>UTM 第 %1 带</translation>
+        </message>
+        <message>
+            <source>a zone near the point</source>
+            <translation>点附近的投影带</translation>
+        </message>
+        <message>
+            <source>latitude %1, longitude %2 in UTM zone %3: %4</source>
+            <translation>UTM 第 %3 带中的纬度 %1、经度 %2：%4</translation>
+        </message>
+        <message>
+            <source>UTM zone %1 N, easting %2 m, northing %3 m: %4</source>
+            <translation>UTM 第 %1 带北半球，东坐标 %2 m，北坐标 %3 m：%4</translation>
+        </message>
+        <message>
+            <source>UTM zone %1 S, easting %2 m, northing %3 m: %4</source>
+            <translation>UTM 第 %1 带南半球，东坐标 %2 m，北坐标 %3 m：%4</translation>
+        </message>
+        <message>
+            <source>coordinates of that zone</source>
+            <translation>该投影带的坐标</translation>
+        </message>
+        <message>
+            <source>1 to 60</source>
+            <translation>1 至 60</translation>
+        </message>
     </context>
     <context>
         <name>ground</name>
+        <message>
+            <source>Undo the edits of points</source>
+            <translation>请撤销点编辑</translation>
+        </message>
+        <message>
+            <source>all %1 points are given to noise</source>
+            <translation>全部 %1 个点都归为噪声</translation>
+        </message>
+        <message>
+            <source>points of ground and trees</source>
+            <translation>地面和树木的点</translation>
+        </message>
         <message>
             <source>the cloud says so (height_reference)</source>
             <translation>点云如此说明（height_reference）</translation>
@@ -296,6 +1231,14 @@
             <translation>拟合地形</translation>
         </message>
         <message>
+            <source>Raise band, or lower seed</source>
+            <translation>请增大 band，或减小 seed</translation>
+        </message>
+        <message>
+            <source>no points lie within band (%1 m) of the first ground surface</source>
+            <translation>初始地面的 band（%1 m）范围内没有点</translation>
+        </message>
+        <message>
             <source>Filling holes</source>
             <translation>填补空洞</translation>
         </message>
@@ -336,12 +1279,132 @@
             <translation>地形模型完成</translation>
         </message>
         <message>
+            <source>Check the file of the terrain</source>
+            <translation>请检查地形文件</translation>
+        </message>
+        <message>
+            <source>a terrain model of the same place, in the same coordinates</source>
+            <translation>同一地点、同一坐标系的地形模型</translation>
+        </message>
+        <message>
+            <source>the terrain given lies below none of %1 points</source>
+            <translation>%1 个点中没有一个位于给定地形之上</translation>
+        </message>
+        <message>
             <source>Heights above the terrain given, for %1 of %2 points.</source>
             <translation>已为 %2 个点中的 %1 个给出高出地形的高度。</translation>
+        </message>
+        <message>
+            <source>at least one</source>
+            <translation>至少一个</translation>
+        </message>
+        <message>
+            <source>the cloud has %1 points, none with finite coordinates</source>
+            <translation>点云有 %1 个点，没有一个的坐标是有限数</translation>
+        </message>
+        <message>
+            <source>Crop the cloud (one stray point far away is enough to widen it) or raise cell</source>
+            <translation>请裁剪点云（一个远处的杂点就足以使其变大），或增大 cell</translation>
+        </message>
+        <message>
+            <source>at most 100 million cells</source>
+            <translation>至多 100 百万个单元</translation>
+        </message>
+        <message>
+            <source>the cloud covers %1 by %2 m: too many cells of %3 m</source>
+            <translation>点云覆盖 %1 x %2 m：%3 m 的单元太多</translation>
+        </message>
+        <message>
+            <source>Crop or thin the cloud first</source>
+            <translation>请先裁剪或抽稀点云</translation>
+        </message>
+        <message>
+            <source>fewer than 4 thousand million</source>
+            <translation>少于 4 十亿</translation>
+        </message>
+        <message>
+            <source>the cloud has %1 points</source>
+            <translation>点云有 %1 个点</translation>
+        </message>
+        <message>
+            <source>a canopy height cell of %1 m</source>
+            <translation>冠层高度的单元为 %1 m</translation>
+        </message>
+        <message>
+            <source>a positive size</source>
+            <translation>正的大小</translation>
+        </message>
+        <message>
+            <source>Raise seed or lower cell</source>
+            <translation>请增大 seed 或减小 cell</translation>
+        </message>
+        <message>
+            <source>seed is %1 m and cell is %2 m</source>
+            <translation>seed 为 %1 m，cell 为 %2 m</translation>
+        </message>
+        <message>
+            <source>seed of at least twice cell</source>
+            <translation>seed 至少为 cell 的两倍</translation>
+        </message>
+        <message>
+            <source>Check that the cloud has ground points and its z axis points up, lower seed, or set method=lowest for a tree that was cut out without ground, method=normalised where z is the height above ground already</source>
+            <translation>请检查点云是否有地面点、z 轴是否朝上，减小 seed；对不带地面裁出的单株树，请设置 method=lowest；如果 z 已是离地高度，请设置 method=normalised</translation>
+        </message>
+        <message>
+            <source>at least three, not on one line</source>
+            <translation>至少三个，且不在一条直线上</translation>
+        </message>
+        <message>
+            <source>only %1 ground points were found among %2 candidates</source>
+            <translation>%2 个候选中只找到 %1 个地面点</translation>
         </message>
     </context>
     <context>
         <name>inventory</name>
+        <message>
+            <source>Set width and length of survey.plot</source>
+            <translation>请设置 survey.plot 的 width 和 length</translation>
+        </message>
+        <message>
+            <source>a rectangle around all trees that are known</source>
+            <translation>包围所有已知树木的矩形</translation>
+        </message>
+        <message>
+            <source>the stand is no rectangle</source>
+            <translation>林分不是矩形</translation>
+        </message>
+        <message>
+            <source>Look at the place and size of the stand and at min_dbh</source>
+            <translation>请检查林分的位置和大小以及 min_dbh</translation>
+        </message>
+        <message>
+            <source>none of %1 stems is in the stand</source>
+            <translation>%1 株单木中没有一株在林分内</translation>
+        </message>
+        <message>
+            <source>trees that count</source>
+            <translation>计入的树木</translation>
+        </message>
+        <message>
+            <source>Write for instance "5 10"</source>
+            <translation>例如写成“5 10”</translation>
+        </message>
+        <message>
+            <source>numbers of metres below %1, so that a plot fits into the stand</source>
+            <translation>小于 %1 的米数，使样地能放入林分</translation>
+        </message>
+        <message>
+            <source>radii is '%1': '%2' is no radius</source>
+            <translation>radii 为“%1”：“%2”不是半径</translation>
+        </message>
+        <message>
+            <source>at least one radius in metres</source>
+            <translation>至少一个以米计的半径</translation>
+        </message>
+        <message>
+            <source>radii is empty</source>
+            <translation>radii 为空</translation>
+        </message>
         <message>
             <source>sampling</source>
             <translation>抽样</translation>
@@ -1406,10 +2469,6 @@
             <translation>%1 有 %2 个 %3 位通道</translation>
         </message>
         <message>
-            <source>%1 is %2</source>
-            <translation>%1 为 %2</translation>
-        </message>
-        <message>
             <source>%1 %2 (first: %3)</source>
             <translation>%1 %2（第一个：%3）</translation>
         </message>
@@ -1629,8 +2688,264 @@
     <context>
         <name>pipeline</name>
         <message>
+            <source>%1 has an unknown key '%2'</source>
+            <translation>%1 有未知的键“%2”</translation>
+        </message>
+        <message>
+            <source>one of the keys that `bole stages --schema` lists</source>
+            <translation>`bole stages --schema` 列出的键之一</translation>
+        </message>
+        <message>
+            <source>%1: 'description' is %2</source>
+            <translation>%1：“description”为 %2</translation>
+        </message>
+        <message>
+            <source>%1: 'id' is %2</source>
+            <translation>%1：“id”为 %2</translation>
+        </message>
+        <message>
+            <source>%1: 'title' is %2</source>
+            <translation>%1：“title”为 %2</translation>
+        </message>
+        <message>
+            <source>%1: 'type' is %2</source>
+            <translation>%1：“type”为 %2</translation>
+        </message>
+        <message>
+            <source>option %1 is %2</source>
+            <translation>选项 %1 为 %2</translation>
+        </message>
+        <message>
+            <source>an object with id, type, inputs, options</source>
+            <translation>含 id、type、inputs、options 的对象</translation>
+        </message>
+        <message>
+            <source>stage %1 is %2</source>
+            <translation>步骤 %1 为 %2</translation>
+        </message>
+        <message>
+            <source>a name without a dot</source>
+            <translation>不含点号的名称</translation>
+        </message>
+        <message>
+            <source>stage %1 has the id '%2'</source>
+            <translation>步骤 %1 的 id 为“%2”</translation>
+        </message>
+        <message>
+            <source>stage %1</source>
+            <translation>步骤 %1</translation>
+        </message>
+        <message>
+            <source>stage '%1'</source>
+            <translation>步骤“%1”</translation>
+        </message>
+        <message>
+            <source>'optional' is %1</source>
+            <translation>“optional”为 %1</translation>
+        </message>
+        <message>
+            <source>'inputs' is %1</source>
+            <translation>“inputs”为 %1</translation>
+        </message>
+        <message>
+            <source>an object of port: "id.port"</source>
+            <translation>port: "id.port" 形式的对象</translation>
+        </message>
+        <message>
+            <source>a text "id.port"</source>
+            <translation>文本 "id.port"</translation>
+        </message>
+        <message>
+            <source>input '%1' is %2</source>
+            <translation>输入“%1”为 %2</translation>
+        </message>
+        <message>
+            <source>'options' is %1</source>
+            <translation>“options”为 %1</translation>
+        </message>
+        <message>
+            <source>an object of option: value</source>
+            <translation>option: value 形式的对象</translation>
+        </message>
+        <message>
+            <source>"id.port" of another stage</source>
+            <translation>另一步骤的 "id.port"</translation>
+        </message>
+        <message>
+            <source>a pipeline document</source>
+            <translation>处理流程文档</translation>
+        </message>
+        <message>
+            <source>not a JSON text: %1</source>
+            <translation>不是 JSON 文本：%1</translation>
+        </message>
+        <message>
+            <source>an object with a list "stages"</source>
+            <translation>含列表 "stages" 的对象</translation>
+        </message>
+        <message>
+            <source>no list of stages</source>
+            <translation>没有步骤列表</translation>
+        </message>
+        <message>
+            <source>the document</source>
+            <translation>文档</translation>
+        </message>
+        <message>
+            <source>different ids</source>
+            <translation>不同的 id</translation>
+        </message>
+        <message>
+            <source>two stages have the id '%1'</source>
+            <translation>两个步骤的 id 都是“%1”</translation>
+        </message>
+        <message>
+            <source>the document has no stage</source>
+            <translation>文档没有步骤</translation>
+        </message>
+        <message>
+            <source>a readable JSON file</source>
+            <translation>可读的 JSON 文件</translation>
+        </message>
+        <message>
+            <source>cannot open the pipeline '%1'</source>
+            <translation>无法打开处理流程“%1”</translation>
+        </message>
+        <message>
+            <source>the pipeline has no stage '%1'</source>
+            <translation>处理流程没有步骤“%1”</translation>
+        </message>
+        <message>
+            <source>stage '%1' takes its own output</source>
+            <translation>步骤“%1”以自己的输出为输入</translation>
+        </message>
+        <message>
+            <source>stages joined without a circle</source>
+            <translation>没有循环的步骤连接</translation>
+        </message>
+        <message>
+            <source>Choose another folder, move the file away, or allow that it is written over (--force)</source>
+            <translation>请选择另一文件夹，移走该文件，或允许覆盖（--force）</translation>
+        </message>
+        <message>
+            <source>'%1' is a file</source>
+            <translation>“%1”是文件</translation>
+        </message>
+        <message>
+            <source>Give another --out DIR</source>
+            <translation>请给出另一个 --out DIR</translation>
+        </message>
+        <message>
+            <source>a folder for the results</source>
+            <translation>存放结果的文件夹</translation>
+        </message>
+        <message>
+            <source>cannot make the folder '%1': %2</source>
+            <translation>无法创建文件夹“%1”：%2</translation>
+        </message>
+        <message>
+            <source>cannot find the folder '%1': %2</source>
+            <translation>找不到文件夹“%1”：%2</translation>
+        </message>
+        <message>
+            <source>cannot write into the folder '%1': %2</source>
+            <translation>无法写入文件夹“%1”：%2</translation>
+        </message>
+        <message>
+            <source>'%1' is a folder</source>
+            <translation>“%1”是文件夹</translation>
+        </message>
+        <message>
+            <source>Move it away or choose another folder</source>
+            <translation>请移走它或选择另一文件夹</translation>
+        </message>
+        <message>
+            <source>a name that is free for a result</source>
+            <translation>可用于结果的名称</translation>
+        </message>
+        <message>
+            <source>a folder without them</source>
+            <translation>不含这些文件的文件夹</translation>
+        </message>
+        <message>
+            <source>the folder '%1' holds files that no run of Bole wrote and that have the names of results: %2</source>
+            <translation>文件夹“%1”含有并非由 Bole 写出、但与结果同名的文件：%2</translation>
+        </message>
+        <message>
+            <source>a name that is free: results go into a folder of that name</source>
+            <translation>可用的名称：结果存入该名称的文件夹</translation>
+        </message>
+        <message>
+            <source>'%1' was not written by Bole</source>
+            <translation>“%1”不是由 Bole 写出的</translation>
+        </message>
+        <message>
+            <source>'%1' was changed since Bole wrote it and cannot be kept: %2</source>
+            <translation>“%1”在 Bole 写出后被改动，且无法保存：%2</translation>
+        </message>
+        <message>
+            <source>space for a copy</source>
+            <translation>存放副本的空间</translation>
+        </message>
+        <message>
             <source>%1 was changed after Bole wrote it: the changed file is kept as %2, and this survey does not hold what was typed into it</source>
             <translation>%1 在 Bole 写出后被改动：改动过的文件保存为 %2，此次调查不含其中填入的内容</translation>
+        </message>
+        <message>
+            <source>input '%1' is not connected</source>
+            <translation>输入“%1”未连接</translation>
+        </message>
+        <message>
+            <source>input '%1' is a %2</source>
+            <translation>输入“%1”是 %2</translation>
+        </message>
+        <message>
+            <source>less data at once</source>
+            <translation>一次处理较少的数据</translation>
+        </message>
+        <message>
+            <source>out of memory</source>
+            <translation>内存不足</translation>
+        </message>
+        <message>
+            <source>Set its option with the path</source>
+            <translation>请设置其路径选项</translation>
+        </message>
+        <message>
+            <source>a file</source>
+            <translation>文件</translation>
+        </message>
+        <message>
+            <source>the stage takes no data from memory</source>
+            <translation>该步骤不接受内存中的数据</translation>
+        </message>
+        <message>
+            <source>a %1 was given</source>
+            <translation>给出的是 %1</translation>
+        </message>
+        <message>
+            <source>one of the readers that do</source>
+            <translation>能如此读取的步骤之一</translation>
+        </message>
+        <message>
+            <source>the stage gives no pieces</source>
+            <translation>该步骤不分块给出</translation>
+        </message>
+        <message>
+            <source>a name of its own for each</source>
+            <translation>各自不同的名称</translation>
+        </message>
+        <message>
+            <source>there are two stage types '%1'</source>
+            <translation>有两个步骤类型“%1”</translation>
+        </message>
+        <message>
+            <source>one that `bole stages` lists</source>
+            <translation>`bole stages` 列出的类型之一</translation>
+        </message>
+        <message>
+            <source>there is no stage type '%1'</source>
+            <translation>没有步骤类型“%1”</translation>
         </message>
     </context>
     <context>
@@ -2348,12 +3663,228 @@
             <translation>重新编号</translation>
         </message>
         <message>
+            <source>%1 has both ends at one place</source>
+            <translation>%1 的两端在同一位置</translation>
+        </message>
+        <message>
+            <source>two ends that are apart</source>
+            <translation>分开的两端</translation>
+        </message>
+        <message>
+            <source>row_id is empty</source>
+            <translation>row_id 为空</translation>
+        </message>
+        <message>
+            <source>the new id</source>
+            <translation>新的编号</translation>
+        </message>
+        <message>
+            <source>attitude %1 has no number or a time that does not increase</source>
+            <translation>第 %1 个姿态没有数值，或其时间不递增</translation>
+        </message>
+        <message>
+            <source>time_s in increasing order, roll_deg, pitch_deg, yaw_deg</source>
+            <translation>递增的 time_s，以及 roll_deg、pitch_deg、yaw_deg</translation>
+        </message>
+        <message>
+            <source>the attitude table is empty</source>
+            <translation>姿态表为空</translation>
+        </message>
+        <message>
+            <source>time_s, roll_deg, pitch_deg, yaw_deg</source>
+            <translation>列 time_s、roll_deg、pitch_deg、yaw_deg</translation>
+        </message>
+        <message>
+            <source>a point has the time %1 s</source>
+            <translation>一个点的时间为 %1 s</translation>
+        </message>
+        <message>
+            <source>attitudes around it: they run from %1 to %2</source>
+            <translation>其前后的姿态：姿态从 %1 至 %2</translation>
+        </message>
+        <message>
+            <source>Give roll_deg and pitch_deg instead</source>
+            <translation>请改为给出 roll_deg 和 pitch_deg</translation>
+        </message>
+        <message>
+            <source>a time for every point</source>
+            <translation>每个点的时间</translation>
+        </message>
+        <message>
+            <source>the frame has no column time and attitudes are connected</source>
+            <translation>帧没有列 time，而连接了姿态</translation>
+        </message>
+        <message>
+            <source>a minimum below the maximum</source>
+            <translation>小于最大值的最小值</translation>
+        </message>
+        <message>
+            <source>min_x is %1 and max_x is %2</source>
+            <translation>min_x 为 %1，max_x 为 %2</translation>
+        </message>
+        <message>
+            <source>min_x is %1 and max_y is %2</source>
+            <translation>min_x 为 %1，max_y 为 %2</translation>
+        </message>
+        <message>
+            <source>min_x is %1 and max_z is %2</source>
+            <translation>min_x 为 %1，max_z 为 %2</translation>
+        </message>
+        <message>
+            <source>min_y is %1 and max_x is %2</source>
+            <translation>min_y 为 %1，max_x 为 %2</translation>
+        </message>
+        <message>
+            <source>min_y is %1 and max_y is %2</source>
+            <translation>min_y 为 %1，max_y 为 %2</translation>
+        </message>
+        <message>
+            <source>min_y is %1 and max_z is %2</source>
+            <translation>min_y 为 %1，max_z 为 %2</translation>
+        </message>
+        <message>
+            <source>min_z is %1 and max_x is %2</source>
+            <translation>min_z 为 %1，max_x 为 %2</translation>
+        </message>
+        <message>
+            <source>min_z is %1 and max_y is %2</source>
+            <translation>min_z 为 %1，max_y 为 %2</translation>
+        </message>
+        <message>
+            <source>min_z is %1 and max_z is %2</source>
+            <translation>min_z 为 %1，max_z 为 %2</translation>
+        </message>
+        <message>
+            <source>Cut a region first: it drops them</source>
+            <translation>请先裁出区域：这会去掉它们</translation>
+        </message>
+        <message>
+            <source>finite points</source>
+            <translation>有限的点</translation>
+        </message>
+        <message>
+            <source>point %1 is not finite</source>
+            <translation>第 %1 个点不是有限数</translation>
+        </message>
+        <message>
+            <source>Leave out x, y and yaw</source>
+            <translation>请去掉 x、y 和 yaw</translation>
+        </message>
+        <message>
+            <source>one of the two</source>
+            <translation>两者之一</translation>
+        </message>
+        <message>
+            <source>the place of the sensor is given twice, by the options and by its marks</source>
+            <translation>传感器的位置给出了两次：由选项和由标志</translation>
+        </message>
+        <message>
+            <source>%1 poses of the sensor</source>
+            <translation>传感器有 %1 个位姿</translation>
+        </message>
+        <message>
+            <source>the pose of the sensor is not finite</source>
+            <translation>传感器的位姿不是有限数</translation>
+        </message>
+        <message>
+            <source>Pick the marks in the frame: without them the heading is unknown</source>
+            <translation>请在帧中选取标志：没有标志则航向未知</translation>
+        </message>
+        <message>
+            <source>seen_x_m, seen_y_m, seen_z_m</source>
+            <translation>列 seen_x_m、seen_y_m、seen_z_m</translation>
+        </message>
+        <message>
+            <source>the marks have no coordinates as the sensor sees them</source>
+            <translation>标志没有传感器所见的坐标</translation>
+        </message>
+        <message>
+            <source>Put stage geo.project before</source>
+            <translation>请在前面加入步骤 geo.project</translation>
+        </message>
+        <message>
+            <source>the marks have latitude and longitude</source>
+            <translation>标志为纬度和经度</translation>
+        </message>
+        <message>
+            <source>mark %1 has the range %2 m and is seen at %3 m</source>
+            <translation>标志 %1 的距离为 %2 m，而观测到的为 %3 m</translation>
+        </message>
+        <message>
+            <source>the range to the place that is seen</source>
+            <translation>到观测位置的距离</translation>
+        </message>
+        <message>
             <source>which of them is wrong cannot be told</source>
             <translation>无法判断其中哪个有误</translation>
         </message>
         <message>
             <source>without mark %1 the others agree</source>
             <translation>去掉标志 %1 后其余一致</translation>
+        </message>
+        <message>
+            <source>Check which mark is which, or raise the standard deviations</source>
+            <translation>请检查标志是否对应，或增大标准差</translation>
+        </message>
+        <message>
+            <source>distances that agree to %1 m</source>
+            <translation>相差不超过 %1 m 的间距</translation>
+        </message>
+        <message>
+            <source>marks %1 and %2 are %3 m apart as seen and %4 m as known; %5</source>
+            <translation>标志 %1 和 %2 的观测间距为 %3 m，已知间距为 %4 m；%5</translation>
+        </message>
+        <message>
+            <source>Set method=vectors, which takes the directions to the marks too</source>
+            <translation>请设置 method=vectors，它还使用到标志的方向</translation>
+        </message>
+        <message>
+            <source>marks all around and at several heights</source>
+            <translation>四周且在不同高度的标志</translation>
+        </message>
+        <message>
+            <source>the ranges carry no position: %1</source>
+            <translation>距离不能确定位置：%1</translation>
+        </message>
+        <message>
+            <source>Place the marks farther apart, or raise max_sigma</source>
+            <translation>请将标志放得更开，或增大 max_sigma</translation>
+        </message>
+        <message>
+            <source>the position has a standard error of %1 m</source>
+            <translation>位置的标准误差为 %1 m</translation>
+        </message>
+        <message>
+            <source>Place the marks farther apart, or raise max_heading_sigma</source>
+            <translation>请将标志放得更开，或增大 max_heading_sigma</translation>
+        </message>
+        <message>
+            <source>the heading has a standard error of %1 deg</source>
+            <translation>航向的标准误差为 %1 度</translation>
+        </message>
+        <message>
+            <source>%1 marks</source>
+            <translation>%1 个标志</translation>
+        </message>
+        <message>
+            <source>three marks of known position, two at the least</source>
+            <translation>三个位置已知的标志，至少两个</translation>
+        </message>
+        <message>
+            <source>Check which mark is which, and the level of the frame</source>
+            <translation>请检查标志是否对应，以及帧是否水平</translation>
+        </message>
+        <message>
+            <source>the marks as seen do not fit those as known: residuals are %1 times their standard deviation; %2</source>
+            <translation>标志的观测位置与已知位置不符：残差是其标准差的 %1 倍；%2</translation>
+        </message>
+        <message>
+            <source>the same marks in axes of the same hand</source>
+            <translation>同一手性坐标轴中的相同标志</translation>
+        </message>
+        <message>
+            <source>x and y of the marks are swapped: exchange them</source>
+            <translation>标志的 x 和 y 弄反了：请交换</translation>
         </message>
         <message>
             <source>the marks as seen fit those as known %1 times worse than the standard deviations say, and the standard errors are raised by this; %2</source>
@@ -2366,6 +3897,18 @@
         <message>
             <source>%1 marks: position to %2 cm, heading to %3 deg (standard errors)</source>
             <translation>%1 个标志：位置精度 %2 cm，航向精度 %3 度（标准误差）</translation>
+        </message>
+        <message>
+            <source>Connect dense to the output of rows.region, or set centre to mean</source>
+            <translation>请将 dense 连接到 rows.region 的输出，或将 centre 设为 mean</translation>
+        </message>
+        <message>
+            <source>centre is face and the input dense is not connected</source>
+            <translation>centre 为 face，而输入 dense 未连接</translation>
+        </message>
+        <message>
+            <source>the levelled frame before it was thinned</source>
+            <translation>抽稀前的整平帧</translation>
         </message>
         <message>
             <source>%1 clusters have fewer than %2 trunk layers and are not plants: raise max_extent_x and max_extent_y where trunks are thicker</source>
@@ -2392,8 +3935,44 @@
             <translation>表格</translation>
         </message>
         <message>
+            <source>Are these degrees, or a wrong line?</source>
+            <translation>这些是度，还是有错误的行？</translation>
+        </message>
+        <message>
+            <source>metres of one plane</source>
+            <translation>同一平面上的米</translation>
+        </message>
+        <message>
+            <source>stem %1 at (%2, %3) is more than %4 km from the first</source>
+            <translation>位于 (%2, %3) 的单木 %1 距第一株超过 %4 km</translation>
+        </message>
+        <message>
+            <source>columns x_m and y_m with numbers</source>
+            <translation>有数值的列 x_m 和 y_m</translation>
+        </message>
+        <message>
+            <source>the table has %1 rows and no stem with coordinates</source>
+            <translation>表有 %1 行，没有带坐标的单木</translation>
+        </message>
+        <message>
             <source>%1 stems without coordinates are ignored</source>
             <translation>忽略 %1 株没有坐标的单木</translation>
+        </message>
+        <message>
+            <source>row_id %1 in line %2</source>
+            <translation>第 %2 行的 row_id 为 %1</translation>
+        </message>
+        <message>
+            <source>whole numbers or names</source>
+            <translation>整数或名称</translation>
+        </message>
+        <message>
+            <source>an id for every plant of a row</source>
+            <translation>行中每株植株的编号</translation>
+        </message>
+        <message>
+            <source>the column row_id is empty</source>
+            <translation>列 row_id 为空</translation>
         </message>
         <message>
             <source>%1 rows in %2 blocks: %3 plants, %4 missing, %5 strays</source>
@@ -2422,6 +4001,30 @@
         <message>
             <source>rows are %1 m apart and plants %2 m: the rows may run the other way. Set direction to fix it</source>
             <translation>行距 %1 m，株距 %2 m：行可能是另一个方向。请设置 direction 加以固定</translation>
+        </message>
+        <message>
+            <source>Cut a region first</source>
+            <translation>请先裁出区域</translation>
+        </message>
+        <message>
+            <source>a field of less than 10 km</source>
+            <translation>小于 10 km 的田块</translation>
+        </message>
+        <message>
+            <source>point %1 lies %2 m from the first</source>
+            <translation>第 %1 个点距第一个点 %2 m</translation>
+        </message>
+        <message>
+            <source>Check the bounds of rows.region</source>
+            <translation>请检查 rows.region 的范围</translation>
+        </message>
+        <message>
+            <source>the canopy of a row</source>
+            <translation>一行的冠层</translation>
+        </message>
+        <message>
+            <source>the cloud has no point</source>
+            <translation>点云没有点</translation>
         </message>
         <message>
             <source>%1 rows at %2 deg in %3 pieces</source>
@@ -2542,6 +4145,42 @@
             <translation>划去</translation>
         </message>
         <message>
+            <source>from_frame is %1</source>
+            <translation>from_frame 为 %1</translation>
+        </message>
+        <message>
+            <source>the number of a frame, from 0 on</source>
+            <translation>帧的编号，从 0 起</translation>
+        </message>
+        <message>
+            <source>to_frame is %1</source>
+            <translation>to_frame 为 %1</translation>
+        </message>
+        <message>
+            <source>relative_pose is %1</source>
+            <translation>relative_pose 为 %1</translation>
+        </message>
+        <message>
+            <source>seven numbers: x, y, z in metres and qx, qy, qz, qw</source>
+            <translation>七个数：以米计的 x、y、z 和 qx、qy、qz、qw</translation>
+        </message>
+        <message>
+            <source>one of length 1</source>
+            <translation>长度为 1 的四元数</translation>
+        </message>
+        <message>
+            <source>relative_pose has a quaternion of length %1</source>
+            <translation>relative_pose 的四元数长度为 %1</translation>
+        </message>
+        <message>
+            <source>from_frame and to_frame are both %1</source>
+            <translation>from_frame 和 to_frame 都是 %1</translation>
+        </message>
+        <message>
+            <source>two frames</source>
+            <translation>两个帧</translation>
+        </message>
+        <message>
             <source>%1 frames have measurements of the unit; %2 are needed</source>
             <translation>%1 帧有惯性单元的测量值；需要 %2 帧</translation>
         </message>
@@ -2558,12 +4197,80 @@
             <translation>查找回环</translation>
         </message>
         <message>
+            <source>numbers in x_m, y_m, z_m, and a quaternion of length 1 in qx, qy, qz, qw</source>
+            <translation>x_m、y_m、z_m 为数，qx、qy、qz、qw 为长度 1 的四元数</translation>
+        </message>
+        <message>
+            <source>row %1 of the table loop_candidates has no pose</source>
+            <translation>表 loop_candidates 的第 %1 行没有位姿</translation>
+        </message>
+        <message>
+            <source>row %1 of the table odometry has no pose</source>
+            <translation>表 odometry 的第 %1 行没有位姿</translation>
+        </message>
+        <message>
+            <source>Use tables of one run of slam.run</source>
+            <translation>请使用同一次 slam.run 的表</translation>
+        </message>
+        <message>
+            <source>a number from 0 to %1</source>
+            <translation>0 至 %1 的数</translation>
+        </message>
+        <message>
+            <source>the table loop_candidates has %1 %2</source>
+            <translation>表 loop_candidates 有 %1 %2</translation>
+        </message>
+        <message>
+            <source>the table odometry has %1 %2</source>
+            <translation>表 odometry 有 %1 %2</translation>
+        </message>
+        <message>
+            <source>the table odometry has no poses</source>
+            <translation>表 odometry 没有位姿</translation>
+        </message>
+        <message>
+            <source>the table odometry of slam.run, with x_m to qw</source>
+            <translation>slam.run 的表 odometry，含 x_m 至 qw</translation>
+        </message>
+        <message>
+            <source>a row per frame in order of time, as slam.run gives it</source>
+            <translation>每帧一行，按时间排序，与 slam.run 给出的相同</translation>
+        </message>
+        <message>
+            <source>the frames of the table odometry are out of order at row %1</source>
+            <translation>表 odometry 的帧在第 %1 行次序颠倒</translation>
+        </message>
+        <message>
+            <source>an earlier and a later keyframe</source>
+            <translation>一个较早和一个较晚的关键帧</translation>
+        </message>
+        <message>
+            <source>row %1 of the table loop_candidates goes from keyframe %2 to %3</source>
+            <translation>表 loop_candidates 的第 %1 行从关键帧 %2 到 %3</translation>
+        </message>
+        <message>
             <source>closing loops</source>
             <translation>闭合回环</translation>
         </message>
         <message>
             <source>the adjustment of %1 loop closures stopped after %2 iterations without converging</source>
             <translation>%1 个回环的平差在 %2 次迭代后停止，未收敛</translation>
+        </message>
+        <message>
+            <source>the path has %1 poses</source>
+            <translation>路径有 %1 个位姿</translation>
+        </message>
+        <message>
+            <source>Sort the poses by time</source>
+            <translation>请按时间排列位姿</translation>
+        </message>
+        <message>
+            <source>later than the pose before it</source>
+            <translation>晚于前一个位姿</translation>
+        </message>
+        <message>
+            <source>pose %1 has time %2 s</source>
+            <translation>第 %1 个位姿的时间为 %2 s</translation>
         </message>
         <message>
             <source>it has no solution</source>
@@ -2576,6 +4283,34 @@
         <message>
             <source>adjusting the path</source>
             <translation>平差路径</translation>
+        </message>
+        <message>
+            <source>a readable TUM file</source>
+            <translation>可读的 TUM 文件</translation>
+        </message>
+        <message>
+            <source>the trajectory %1 cannot be opened</source>
+            <translation>无法打开轨迹 %1</translation>
+        </message>
+        <message>
+            <source>eight numbers: time x y z qx qy qz qw</source>
+            <translation>八个数：time x y z qx qy qz qw</translation>
+        </message>
+        <message>
+            <source>a quaternion of length %1</source>
+            <translation>长度为 %1 的四元数</translation>
+        </message>
+        <message>
+            <source>a time after %1 s</source>
+            <translation>%1 s 之后的时间</translation>
+        </message>
+        <message>
+            <source>time %1 s</source>
+            <translation>时间 %1 s</translation>
+        </message>
+        <message>
+            <source>the trajectory %1 has %2 poses</source>
+            <translation>轨迹 %1 有 %2 个位姿</translation>
         </message>
         <message>
             <source>looking for the mount of the inertial unit</source>
@@ -2606,8 +4341,32 @@
             <translation>没有给出惯性单元的安装，已作估计：转角精度 %1 度，时钟超前 %2 ms，精度 %3 ms%4</translation>
         </message>
         <message>
+            <source>Name its file with the option imu of the scan, or use the preset best</source>
+            <translation>请用扫描的选项 imu 指定其文件，或使用预设 best</translation>
+        </message>
+        <message>
+            <source>an inertial unit that fits the scan</source>
+            <translation>与扫描相符的惯性单元</translation>
+        </message>
+        <message>
+            <source>the inertial unit cannot be used: %1</source>
+            <translation>惯性单元不能使用：%1</translation>
+        </message>
+        <message>
             <source>the inertial unit is not used: %1</source>
             <translation>未采用惯性单元：%1</translation>
+        </message>
+        <message>
+            <source>Put imu.csv beside the scan, name its file with the option imu of the scan, or use preset best</source>
+            <translation>请将 imu.csv 放在扫描旁，用扫描的选项 imu 指定其文件，或使用预设 best</translation>
+        </message>
+        <message>
+            <source>one, with preset inertial</source>
+            <translation>预设 inertial 需要一个</translation>
+        </message>
+        <message>
+            <source>the recording has no inertial unit</source>
+            <translation>记录没有惯性单元</translation>
         </message>
         <message>
             <source>frames are not elastic</source>
@@ -2686,8 +4445,92 @@
             <translation>有 %1 s（自第 %2 帧起）几乎所有表面都朝同一方向，如在走廊中或墙壁之间：无论各帧看来多好，地图沿 (%3, %4) 方向的位置可能差数米。请在有树干或墙角的地方行走，或给出控制点</translation>
         </message>
         <message>
+            <source>Correct its file, or use the preset best</source>
+            <translation>请更正其文件，或使用预设 best</translation>
+        </message>
+        <message>
+            <source>a unit that moves with the scanner</source>
+            <translation>随扫描仪移动的惯性单元</translation>
+        </message>
+        <message>
+            <source>the inertial unit does not fit the scan: %1</source>
+            <translation>惯性单元与扫描不符：%1</translation>
+        </message>
+        <message>
+            <source>%1 of %2 frames could be used</source>
+            <translation>%2 帧中有 %1 帧可用</translation>
+        </message>
+        <message>
+            <source>at least 2 frames with returns that fit together</source>
+            <translation>至少 2 个回波相符的帧</translation>
+        </message>
+        <message>
+            <source>Add the offset between the clocks to the times in the trajectory; if both began together it is %1 s</source>
+            <translation>请将时钟差加到轨迹的时间上；如果两者同时开始，其值为 %1 s</translation>
+        </message>
+        <message>
+            <source>no frame lies within the trajectory: frames from %1 to %2 s, trajectory from %3 to %4 s</source>
+            <translation>没有帧在轨迹之内：帧为 %1 至 %2 s，轨迹为 %3 至 %4 s</translation>
+        </message>
+        <message>
+            <source>times of one clock</source>
+            <translation>同一时钟的时间</translation>
+        </message>
+        <message>
             <source>%1 of %2 frames lie outside the trajectory and were left out</source>
             <translation>%2 帧中有 %1 帧在轨迹之外，已舍去</translation>
+        </message>
+        <message>
+            <source>less than max_range, %1 m</source>
+            <translation>小于 max_range，即 %1 m</translation>
+        </message>
+        <message>
+            <source>min_range is %1 m</source>
+            <translation>min_range 为 %1 m</translation>
+        </message>
+        <message>
+            <source>less than map_max_range, %1 m</source>
+            <translation>小于 map_max_range，即 %1 m</translation>
+        </message>
+        <message>
+            <source>map_min_range is %1 m</source>
+            <translation>map_min_range 为 %1 m</translation>
+        </message>
+        <message>
+            <source>Set solve to joint, or deskew to once</source>
+            <translation>请将 solve 设为 joint，或将 deskew 设为 once</translation>
+        </message>
+        <message>
+            <source>solve is %1 with deskew elastic</source>
+            <translation>deskew 为 elastic 时 solve 为 %1</translation>
+        </message>
+        <message>
+            <source>solve joint with elastic frames</source>
+            <translation>弹性帧用 solve joint（联合求解）</translation>
+        </message>
+        <message>
+            <source>Set first_guess to velocity, or deskew to once or twice</source>
+            <translation>请将 first_guess 设为 velocity，或将 deskew 设为 once 或 twice</translation>
+        </message>
+        <message>
+            <source>another first guess, since elastic frames estimate their motion themselves</source>
+            <translation>另一种初值，因为弹性帧自行估计其运动</translation>
+        </message>
+        <message>
+            <source>first_guess is matched_motion with deskew elastic</source>
+            <translation>deskew 为 elastic 时 first_guess 为 matched_motion</translation>
+        </message>
+        <message>
+            <source>Set deskew to elastic</source>
+            <translation>请将 deskew 设为 elastic</translation>
+        </message>
+        <message>
+            <source>elastic frames, which the inertial unit is joined to</source>
+            <translation>与惯性单元结合的弹性帧</translation>
+        </message>
+        <message>
+            <source>inertial is required with deskew %1</source>
+            <translation>deskew 为 %1 时 inertial 为 required</translation>
         </message>
         <message>
             <source>mapping frame %1 of %2</source>
@@ -2702,8 +4545,24 @@
             <translation>地图已抽稀为每 %1 点取一点，以不超过 map_max_points，即 %2 百万</translation>
         </message>
         <message>
+            <source>Leave the option features to the preset, or set it to sampled</source>
+            <translation>请将选项 features 留给预设，或设为 sampled</translation>
+        </message>
+        <message>
+            <source>features %1 need scan lines, and the beams of this scanner never repeat their path</source>
+            <translation>features %1 需要扫描线，而此扫描仪的光束从不重复其路径</translation>
+        </message>
+        <message>
+            <source>features sampled</source>
+            <translation>features 为 sampled</translation>
+        </message>
+        <message>
             <source>preset %1 repeats a published method, for comparison. In maps of these presets, diameters were up to 1.8 cm too small on simulated plots, and as few as one in four 95 % intervals held the true diameter. For a survey use preset=best</source>
             <translation>预设 %1 重现已发表的方法，供比较用。在这些预设的地图中，模拟样地上的直径最多偏小 1.8 cm，95 % 区间中低至四分之一含有真实直径。调查请使用 preset=best</translation>
+        </message>
+        <message>
+            <source>the scan has no frames</source>
+            <translation>扫描没有帧</translation>
         </message>
         <message>
             <source>%1 of %2 frames followed along %3 m</source>
@@ -2832,6 +4691,30 @@
     <context>
         <name>stems</name>
         <message>
+            <source>one of %1, or the path of a JSON file</source>
+            <translation>%1 之一，或 JSON 文件的路径</translation>
+        </message>
+        <message>
+            <source>there is no bark '%1'</source>
+            <translation>没有树皮类型“%1”</translation>
+        </message>
+        <message>
+            <source>a bark description in JSON</source>
+            <translation>JSON 格式的树皮描述</translation>
+        </message>
+        <message>
+            <source>cannot open '%1'</source>
+            <translation>无法打开“%1”</translation>
+        </message>
+        <message>
+            <source>title, and relief_mm and relief_sd_mm from 0 to %1</source>
+            <translation>title，以及 0 至 %1 的 relief_mm 和 relief_sd_mm（标题、起伏）</translation>
+        </message>
+        <message>
+            <source>it is not JSON</source>
+            <translation>它不是 JSON</translation>
+        </message>
+        <message>
             <source>some stems are too sparse for diameters here: %1 points on the bark of a stem needed, %2 found in the middle of %3 of %4 stems. Use the cloud before it was thinned, or scan from nearer</source>
             <translation>此处部分单木太稀，不能测直径：每株树皮上需要 %1 个点，%4 株中的 %3 株中间只有 %2 个。请使用抽稀前的点云，或从更近处扫描</translation>
         </message>
@@ -2876,8 +4759,64 @@
             <translation>直径是平均树皮处的直径：在粗糙的树皮上围尺读数更大。区间计入 +-%1 mm；如果已知树皮类型，请设置 stems.bark</translation>
         </message>
         <message>
+            <source>Check what the stage before has read</source>
+            <translation>请检查前一步骤读取的内容</translation>
+        </message>
+        <message>
+            <source>points of a plot</source>
+            <translation>样地的点</translation>
+        </message>
+        <message>
+            <source>the cloud is empty</source>
+            <translation>点云为空</translation>
+        </message>
+        <message>
+            <source>Look at the ground stage: was any ground found?</source>
+            <translation>请查看地面步骤：是否找到地面？</translation>
+        </message>
+        <message>
+            <source>a terrain model below the points</source>
+            <translation>点以下的地形模型</translation>
+        </message>
+        <message>
+            <source>none of %1 points has a height above ground</source>
+            <translation>%1 个点都没有离地高度</translation>
+        </message>
+        <message>
+            <source>Set slice.height within these heights, or check the ground stage</source>
+            <translation>请将 slice.height 设在这些高度之内，或检查地面步骤</translation>
+        </message>
+        <message>
+            <source>no point lies %1 to %2 m above ground; heights run from %3 to %4 m</source>
+            <translation>离地 %1 至 %2 m 处没有点；高度范围为 %3 至 %4 m</translation>
+        </message>
+        <message>
+            <source>points at breast height</source>
+            <translation>胸高处的点</translation>
+        </message>
+        <message>
+            <source>Check options height and thickness of the slice</source>
+            <translation>请检查横切面的选项 height 和 thickness</translation>
+        </message>
+        <message>
+            <source>the slice is empty</source>
+            <translation>横切面为空</translation>
+        </message>
+        <message>
+            <source>no point of the slice has a height above ground</source>
+            <translation>横切面的点都没有离地高度</translation>
+        </message>
+        <message>
             <source>circles by height</source>
             <translation>按高度查找圆</translation>
+        </message>
+        <message>
+            <source>a stem table without %1</source>
+            <translation>单木表缺少 %1</translation>
+        </message>
+        <message>
+            <source>tree_id, x_m, y_m, dbh_cm</source>
+            <translation>列 tree_id、x_m、y_m、dbh_cm</translation>
         </message>
         <message>
             <source>applying edits</source>
@@ -2984,6 +4923,14 @@
             <translation>倾斜</translation>
         </message>
         <message>
+            <source>into has %1</source>
+            <translation>into 含有 %1</translation>
+        </message>
+        <message>
+            <source>{"at": [x, y], "dbh_cm": ...} for every new stem</source>
+            <translation>每株新单木的 {"at": [x, y], "dbh_cm": ...}</translation>
+        </message>
+        <message>
             <source>tree %1: %2 is not measured: %3</source>
             <translation>树 %1：未测%2：%3</translation>
         </message>
@@ -2994,6 +4941,14 @@
         <message>
             <source>passes of the walk disagree by %1 cm. In a part of a cloud they are not brought together: diameters are of all passes as they lie</source>
             <translation>行走的各次经过相差 %1 cm。在点云的一部分中不作合并：直径取自未经调整的各次经过</translation>
+        </message>
+        <message>
+            <source>stems.pool_priors makes it</source>
+            <translation>它由 stems.pool_priors 生成</translation>
+        </message>
+        <message>
+            <source>the table of priors has %1 rows</source>
+            <translation>先验值表有 %1 行</translation>
         </message>
         <message>
             <source>points lie only %1 times as dense at the terrain as 0.3 to 1.3 m above it (ground that was seen: 10 times and more): the cloud was cut above the ground, or the ground was hardly seen. Breast height of all %2 stems is a guess. Give the cloud with its ground, or set ground.method=normalised if z is the height above ground</source>
@@ -3076,6 +5031,22 @@
             <translation>%1 的厂家没有说明其光束：采用类似传感器的 %2 mrad，区间计入 +-%3 mrad。如果已知，请设置 beam_divergence</translation>
         </message>
         <message>
+            <source>at least 0.5 m between them</source>
+            <translation>两者至少相差 0.5 m</translation>
+        </message>
+        <message>
+            <source>options search_bottom %1 m and search_top %2 m</source>
+            <translation>选项 search_bottom 为 %1 m，search_top 为 %2 m</translation>
+        </message>
+        <message>
+            <source>max_dbh above min_dbh</source>
+            <translation>max_dbh 大于 min_dbh</translation>
+        </message>
+        <message>
+            <source>options min_dbh %1 cm and max_dbh %2 cm</source>
+            <translation>选项 min_dbh 为 %1 cm，max_dbh 为 %2 cm</translation>
+        </message>
+        <message>
             <source>no stem found: no point lies %1 to %2 m above ground; set search_bottom and search_top to heights that the cloud has</source>
             <translation>没有找到单木：离地 %1 至 %2 m 处没有点；请将 search_bottom 和 search_top 设为点云所具有的高度</translation>
         </message>
@@ -3102,6 +5073,14 @@
         <message>
             <source>passes of the walk disagree by %1 cm: they were brought together by the stems</source>
             <translation>行走的各次经过相差 %1 cm：已由单木使其重合</translation>
+        </message>
+        <message>
+            <source>a point of the outline is no number</source>
+            <translation>轮廓的一个点不是数</translation>
+        </message>
+        <message>
+            <source>a point of the tree lies more than 1 km from its stem, or one of both has no place</source>
+            <translation>树的一个点距其树干超过 1 km，或两者之一没有位置</translation>
         </message>
         <message>
             <source>the crown</source>
@@ -3161,6 +5140,18 @@
         <message>
             <source>walk again</source>
             <translation>重走</translation>
+        </message>
+        <message>
+            <source>Connect a cloud or a stem table</source>
+            <translation>请连接点云或单木表</translation>
+        </message>
+        <message>
+            <source>at least one of them</source>
+            <translation>至少其中之一</translation>
+        </message>
+        <message>
+            <source>neither points nor stems are connected</source>
+            <translation>点和单木都未连接</translation>
         </message>
         <message>
             <source>Measuring the cells</source>
@@ -3431,6 +5422,50 @@
             <translation>%1 项点编辑</translation>
         </message>
         <message>
+            <source>Give the points the names of targets (centre, north), or x_m and y_m beside them</source>
+            <translation>请以标靶的名称（centre、north）命名各点，或在旁给出 x_m 和 y_m</translation>
+        </message>
+        <message>
+            <source>no control point has both coordinates and a place in the map</source>
+            <translation>没有控制点既有坐标又有在地图中的位置</translation>
+        </message>
+        <message>
+            <source>two points, or one and a bearing</source>
+            <translation>两个点，或一个点和方位角</translation>
+        </message>
+        <message>
+            <source>Measure a second point, or set bearing</source>
+            <translation>请测量第二个点，或设置 bearing</translation>
+        </message>
+        <message>
+            <source>there is one control point ('%1'): it gives no direction</source>
+            <translation>只有一个控制点（“%1”）：不能给出方向</translation>
+        </message>
+        <message>
+            <source>Measure a point at the other end of the plot</source>
+            <translation>请在样地另一端测量一个点</translation>
+        </message>
+        <message>
+            <source>points more than %1 m apart, or a bearing</source>
+            <translation>相距超过 %1 m 的点，或方位角</translation>
+        </message>
+        <message>
+            <source>the control points lie within %1 m of one another in the map: they give no direction</source>
+            <translation>控制点在地图中彼此相距不到 %1 m：不能给出方向</translation>
+        </message>
+        <message>
+            <source>Exchange the two columns, or check which point has which name</source>
+            <translation>请交换两列，或检查各点的名称是否对应</translation>
+        </message>
+        <message>
+            <source>the control points fit the map only when it is mirrored (residuals %1 m, mirrored %2 m)</source>
+            <translation>控制点只有在地图成镜像时才相符（残差 %1 m，镜像时 %2 m）</translation>
+        </message>
+        <message>
+            <source>the easting in easting_m and the northing in northing_m</source>
+            <translation>东坐标在 easting_m，北坐标在 northing_m</translation>
+        </message>
+        <message>
             <source>the bearing differs by %1 deg from the direction of the control points (standard deviation %2 deg) and is not used. Check declination, its sign, and which point is which</source>
             <translation>方位角与控制点的方向相差 %1 度（标准差 %2 度），未采用。请检查磁偏角及其符号，以及各点是否对应</translation>
         </message>
@@ -3475,8 +5510,144 @@
             <translation>控制点高程使样地倾斜 %1 度 +- %2，超过预计的水平偏差（level_sd %3 度）。已采用；如果某个高程有误，请更正，或设置 level=false</translation>
         </message>
         <message>
+            <source>Check the heights, and whether they were measured on the target or on the ground (height_of)</source>
+            <translation>请检查高程，以及是在标靶上还是在地面上测量的（height_of）</translation>
+        </message>
+        <message>
+            <source>a control height is %1 m off the adjusted plot</source>
+            <translation>一个控制点高程偏离平差后的样地 %1 m</translation>
+        </message>
+        <message>
+            <source>residuals of at most %1 m (max_residual)</source>
+            <translation>残差至多 %1 m（max_residual）</translation>
+        </message>
+        <message>
+            <source>row %1</source>
+            <translation>第 %1 行</translation>
+        </message>
+        <message>
+            <source>Transform them to one zone</source>
+            <translation>请将它们转换到同一投影带</translation>
+        </message>
+        <message>
+            <source>all points in one coordinate system</source>
+            <translation>所有点在同一坐标系中</translation>
+        </message>
+        <message>
+            <source>the control points '%1' and '%2' are of different zones (%3 %4 and %5)</source>
+            <translation>控制点“%1”和“%2”属于不同的投影带（%3 %4 和 %5）</translation>
+        </message>
+        <message>
+            <source>Transform them to one zone, and check that none has its axes exchanged</source>
+            <translation>请将它们转换到同一投影带，并检查没有点的坐标轴被交换</translation>
+        </message>
+        <message>
+            <source>all points in one zone</source>
+            <translation>所有点在同一投影带中</translation>
+        </message>
+        <message>
+            <source>the point '%1' with easting %2 and northing %3 m lies far outside %4, the others do not (%5 of %6 points)</source>
+            <translation>东坐标 %2、北坐标 %3 m 的点“%1”远在 %4 之外，其余的点则不然（%6 个点中的 %5 个）</translation>
+        </message>
+        <message>
+            <source>Exchange the two columns</source>
+            <translation>请交换两列</translation>
+        </message>
+        <message>
+            <source>the point '%1' with easting %2 and northing %3 m lies far outside %4; with easting and northing exchanged it lies within</source>
+            <translation>东坐标 %2、北坐标 %3 m 的点“%1”远在 %4 之外；交换东坐标和北坐标后在其内</translation>
+        </message>
+        <message>
+            <source>Take the first digits away, or set crs to the system with them (EPSG:4647 for UTM 32)</source>
+            <translation>请去掉前几位数字，或将 crs 设为带带号的坐标系（UTM 32 为 EPSG:4647）</translation>
+        </message>
+        <message>
+            <source>eastings without the number of the zone</source>
+            <translation>不含带号的东坐标</translation>
+        </message>
+        <message>
+            <source>the point '%1' with easting %2 and northing %3 m lies far outside %4; the zone number %5 stands before its easting</source>
+            <translation>东坐标 %2、北坐标 %3 m 的点“%1”远在 %4 之外；其东坐标前带有带号 %5</translation>
+        </message>
+        <message>
+            <source>Check crs and the units of the file (metres)</source>
+            <translation>请检查 crs 和文件的单位（米）</translation>
+        </message>
+        <message>
+            <source>the point '%1' with easting %2 and northing %3 m lies far outside %4</source>
+            <translation>东坐标 %2、北坐标 %3 m 的点“%1”远在 %4 之外</translation>
+        </message>
+        <message>
+            <source>the latitude in latitude_deg and the longitude in longitude_deg</source>
+            <translation>纬度在 latitude_deg，经度在 longitude_deg</translation>
+        </message>
+        <message>
+            <source>the point '%1' with latitude %2 and longitude %3 deg lies far outside %4; with latitude and longitude exchanged it lies within</source>
+            <translation>纬度 %2、经度 %3 度的点“%1”远在 %4 之外；交换纬度和经度后在其内</translation>
+        </message>
+        <message>
+            <source>Check crs, and the sign of western longitudes</source>
+            <translation>请检查 crs，以及西经的符号</translation>
+        </message>
+        <message>
+            <source>positions where the system is used</source>
+            <translation>该坐标系适用范围内的位置</translation>
+        </message>
+        <message>
+            <source>the point '%1' with latitude %2 and longitude %3 deg lies far outside %4</source>
+            <translation>纬度 %2、经度 %3 度的点“%1”远在 %4 之外</translation>
+        </message>
+        <message>
+            <source>Choose the system of today (UTM of ETRS89: EPSG:258xx), or transform the points and give easting_m and northing_m</source>
+            <translation>请选择现行坐标系（ETRS89 的 UTM：EPSG:258xx），或转换各点并给出 easting_m 和 northing_m</translation>
+        </message>
+        <message>
+            <source>a system on WGS84, ETRS89 or another datum of today</source>
+            <translation>基于 WGS84、ETRS89 或其他现行基准的坐标系</translation>
+        </message>
+        <message>
+            <source>latitude and longitude are given for %1, whose datum lies %2 m from that of GNSS receivers</source>
+            <translation>为 %1 给出了纬度和经度，而其基准与 GNSS 接收机的基准相差 %2 m</translation>
+        </message>
+        <message>
             <source>no targets</source>
             <translation>没有标靶</translation>
+        </message>
+        <message>
+            <source>Set crs, for instance crs=EPSG:25832</source>
+            <translation>请设置 crs，例如 crs=EPSG:25832</translation>
+        </message>
+        <message>
+            <source>an EPSG code or WKT</source>
+            <translation>EPSG 代码或 WKT</translation>
+        </message>
+        <message>
+            <source>the coordinate system of the control points is not given</source>
+            <translation>没有给出控制点的坐标系</translation>
+        </message>
+        <message>
+            <source>Rename the columns</source>
+            <translation>请重命名各列</translation>
+        </message>
+        <message>
+            <source>easting_m and northing_m, or latitude_deg and longitude_deg</source>
+            <translation>easting_m 和 northing_m，或 latitude_deg 和 longitude_deg</translation>
+        </message>
+        <message>
+            <source>the coordinates have the columns %1</source>
+            <translation>坐标的列为 %1</translation>
+        </message>
+        <message>
+            <source>Take one of them away, or give it another name and its x_m, y_m</source>
+            <translation>请去掉其中一个，或给它另一名称及其 x_m、y_m</translation>
+        </message>
+        <message>
+            <source>each point once</source>
+            <translation>每个点一次</translation>
+        </message>
+        <message>
+            <source>the control point '%1' stands in rows %2 and %3</source>
+            <translation>控制点“%1”在第 %2 行和第 %3 行出现</translation>
         </message>
         <message>
             <source>control points %1 are not used: no target has that name (%2) and the file has no x_m, y_m for them</source>
@@ -3485,6 +5656,38 @@
         <message>
             <source>control points %1 are not used: their coordinates are missing</source>
             <translation>未采用控制点 %1：缺少其坐标</translation>
+        </message>
+        <message>
+            <source>Are they of different zones, or does one have the zone number before its easting?</source>
+            <translation>它们属于不同的投影带，还是其中一个的东坐标前带有带号？</translation>
+        </message>
+        <message>
+            <source>control points '%1' and '%2' are %3 km apart by their coordinates and %4 m in the map</source>
+            <translation>控制点“%1”和“%2”按坐标相距 %3 km，在地图中相距 %4 m</translation>
+        </message>
+        <message>
+            <source>points of one plot in one coordinate system</source>
+            <translation>同一样地在同一坐标系中的点</translation>
+        </message>
+        <message>
+            <source>the distances between the control points are %1 times those in the map: their coordinates seem to be %2</source>
+            <translation>控制点之间的距离是地图中的 %1 倍：其坐标看来以%2为单位</translation>
+        </message>
+        <message>
+            <source>Check the names of the points and their coordinates</source>
+            <translation>请检查各点的名称及其坐标</translation>
+        </message>
+        <message>
+            <source>; to '%1' %2 m by coordinates, %3 m in the map</source>
+            <translation>；到“%1”按坐标为 %2 m，在地图中为 %3 m</translation>
+        </message>
+        <message>
+            <source>to '%1' %2 m by coordinates, %3 m in the map</source>
+            <translation>到“%1”按坐标为 %2 m，在地图中为 %3 m</translation>
+        </message>
+        <message>
+            <source>the distances between the control points do not fit the plot: '%1' is left with %2 m (%3)</source>
+            <translation>控制点之间的距离与样地不符：“%1”剩余 %2 m（%3）</translation>
         </message>
         <message>
             <source>the residuals of the control points are %1 times as large as control_sd and map_sd say; the standard errors were raised by this factor</source>
@@ -3515,6 +5718,42 @@
             <translation>样地的 y 轴偏离坐标北 %1 度。如果北标靶没有设在正北（survey.frame: north_bearing），这是对的；否则中心和北可能弄反了</translation>
         </message>
         <message>
+            <source>only one of easting and northing is given</source>
+            <translation>东坐标和北坐标只给出一个</translation>
+        </message>
+        <message>
+            <source>only one of latitude and longitude is given</source>
+            <translation>纬度和经度只给出一个</translation>
+        </message>
+        <message>
+            <source>easting, northing and latitude, longitude of the centre are given</source>
+            <translation>同时给出了中心的东、北坐标和纬度、经度</translation>
+        </message>
+        <message>
+            <source>one of the two pairs</source>
+            <translation>两对中的一对</translation>
+        </message>
+        <message>
+            <source>Put the centre into the file, in a row with the name centre</source>
+            <translation>请将中心写入文件，放在名为 centre 的行</translation>
+        </message>
+        <message>
+            <source>a file of control points and coordinates of the centre are given</source>
+            <translation>同时给出了控制点文件和中心坐标</translation>
+        </message>
+        <message>
+            <source>Take it from the map sheet or a magnetic model, set declination; or set bearing_kind</source>
+            <translation>请从图幅或地磁模型查取，设置 declination；或设置 bearing_kind</translation>
+        </message>
+        <message>
+            <source>a magnetic bearing is given without the declination</source>
+            <translation>给出了磁方位角而没有磁偏角</translation>
+        </message>
+        <message>
+            <source>the declination of the place and day, east positive</source>
+            <translation>该地当日的磁偏角，东偏为正</translation>
+        </message>
+        <message>
             <source>the control points ask for a scale of %1 +- %2; neither 1 nor that of the grid (%3) fits. Check the points farthest out, and the range scale of the sensor</source>
             <translation>控制点要求的比例为 %1 +- %2；1 和格网比例（%3）都不符合。请检查最外侧的点，以及传感器的测距比例</translation>
         </message>
@@ -3535,8 +5774,108 @@
             <translation>样地中的一米在坐标系平面上为 %1 m（投影和高程）。采用比例 1：边缘的树木最多会移动 %2 mm；scale=grid 采用格网比例</translation>
         </message>
         <message>
+            <source>there is no control height</source>
+            <translation>没有控制点高程</translation>
+        </message>
+        <message>
+            <source>at least two, or one and a bearing</source>
+            <translation>至少两个，或一个和方位角</translation>
+        </message>
+        <message>
+            <source>there is no control point</source>
+            <translation>没有控制点</translation>
+        </message>
+        <message>
+            <source>Measure a second point or set bearing</source>
+            <translation>请测量第二个点或设置 bearing</translation>
+        </message>
+        <message>
+            <source>the control points are all at one place, so that the turn of the plot is not known</source>
+            <translation>控制点都在同一位置，因此样地的旋转未知</translation>
+        </message>
+        <message>
+            <source>two points apart from one another, or one and a bearing</source>
+            <translation>两个分开的点，或一个点和方位角</translation>
+        </message>
+        <message>
+            <source>%1: with %2 s and with %3 s between the clocks the track fits alike (median distance %4 and %5 m)</source>
+            <translation>%1：时钟相差 %2 s 和 %3 s 时轨迹同样相符（中位距离 %4 和 %5 m）</translation>
+        </message>
+        <message>
+            <source>Set clock_offset and a small clock_window</source>
+            <translation>请设置 clock_offset 和较小的 clock_window</translation>
+        </message>
+        <message>
+            <source>a walk whose shape tells the time</source>
+            <translation>形状可确定时间的行走路线</translation>
+        </message>
+        <message>
+            <source>at least 2 and %1</source>
+            <translation>至少 2 个和 %1 个</translation>
+        </message>
+        <message>
+            <source>the walk has %1 poses, the track %2 fixes</source>
+            <translation>行走有 %1 个位姿，轨迹有 %2 个定位点</translation>
+        </message>
+        <message>
+            <source>Set clock_offset, or check that both are of one day</source>
+            <translation>请设置 clock_offset，或检查两者是否为同一天</translation>
+        </message>
+        <message>
+            <source>a track that was recorded during the walk</source>
+            <translation>行走期间记录的轨迹</translation>
+        </message>
+        <message>
+            <source>the times of the walk go from %1 to %2 s, those of the track from %3 to %4 s: no offset of the clocks brings half of the shorter one over the other</source>
+            <translation>行走的时间为 %1 至 %2 s，轨迹的时间为 %3 至 %4 s：没有时钟差能使较短者的一半与另一者重叠</translation>
+        </message>
+        <message>
+            <source>the times of the walk go from %1 to %2 s, those of the track from %3 to %4 s</source>
+            <translation>行走的时间为 %1 至 %2 s，轨迹的时间为 %3 至 %4 s</translation>
+        </message>
+        <message>
+            <source>%1 fixes of the track lie within the time of the walk</source>
+            <translation>轨迹有 %1 个定位点在行走的时间之内</translation>
+        </message>
+        <message>
+            <source>Check the clocks, or set clock_offset</source>
+            <translation>请检查时钟，或设置 clock_offset</translation>
+        </message>
+        <message>
+            <source>at least %1</source>
+            <translation>至少 %1</translation>
+        </message>
+        <message>
+            <source>Read it with its times, or give control points</source>
+            <translation>请连同时间读取，或给出控制点</translation>
+        </message>
+        <message>
+            <source>a column time_s</source>
+            <translation>列 time_s</translation>
+        </message>
+        <message>
+            <source>the track has no times</source>
+            <translation>轨迹没有时间</translation>
+        </message>
+        <message>
             <source>%1 % of the positions of the track do not follow the walk</source>
             <translation>GNSS 轨迹有 %1 % 的位置不符合行走路径</translation>
+        </message>
+        <message>
+            <source>a track of the walk</source>
+            <translation>行走的轨迹</translation>
+        </message>
+        <message>
+            <source>the track has %1 positions with times, the walk %2 poses</source>
+            <translation>轨迹有 %1 个带时间的位置，行走有 %2 个位姿</translation>
+        </message>
+        <message>
+            <source>Give control points, or a better track</source>
+            <translation>请给出控制点，或更好的轨迹</translation>
+        </message>
+        <message>
+            <source>the walk reaches %1 m and the track scatters by %2 m: the direction of the plot is known to %3 deg only</source>
+            <translation>行走范围为 %1 m，轨迹的离散为 %2 m：样地的方向只知道到 %3 度</translation>
         </message>
         <message>
             <source>the track fits the walk with %1 s between the clocks, and with %2 s as well; the first was taken, since more of the recordings overlaps. Check it, or set clock_offset</source>
@@ -3551,8 +5890,80 @@
             <translation>高度取自 GNSS 轨迹：为椭球高；接收机没有给出大地水准面高时为海拔高</translation>
         </message>
         <message>
+            <source>Export the cloud with times, or take the trajectory away</source>
+            <translation>请连同时间导出点云，或去掉轨迹</translation>
+        </message>
+        <message>
+            <source>the points have no times, so that a trajectory cannot be joined to them</source>
+            <translation>点没有时间，因此无法与轨迹合并</translation>
+        </message>
+        <message>
+            <source>the time of every point (GPS time in LAS and LAZ, a column time in text)</source>
+            <translation>每个点的时间（LAS 和 LAZ 中的 GPS 时间，文本中的 time 列）</translation>
+        </message>
+        <message>
+            <source>Check the unit of its times</source>
+            <translation>请检查其时间的单位</translation>
+        </message>
+        <message>
+            <source>less than %1 s</source>
+            <translation>少于 %1 s</translation>
+        </message>
+        <message>
+            <source>the trajectory lasts %1 s</source>
+            <translation>轨迹历时 %1 s</translation>
+        </message>
+        <message>
+            <source>Give both in metres with z up, and set level=none</source>
+            <translation>请以米为单位、z 朝上给出两者，并设置 level=none</translation>
+        </message>
+        <message>
+            <source>a cloud and a path in the same axes</source>
+            <translation>坐标轴相同的点云和路径</translation>
+        </message>
+        <message>
+            <source>the cloud was turned or scaled when it was read (%1): the path has the axes of the file</source>
+            <translation>点云在读取时被旋转或缩放（%1）：而路径采用文件的坐标轴</translation>
+        </message>
+        <message>
+            <source>Set time_offset to one of them</source>
+            <translation>请将 time_offset 设为其中之一</translation>
+        </message>
+        <message>
+            <source>clocks that go together in one way</source>
+            <translation>只有一种对应方式的时钟</translation>
+        </message>
+        <message>
+            <source>the times of the points go %1, those of the trajectory %2: offsets of %3 s (%4) and %5 s (%6) both fit</source>
+            <translation>点的时间为%1，轨迹的时间为%2：时间差 %3 s（%4）和 %5 s（%6）都相符</translation>
+        </message>
+        <message>
             <source>%1: %2 s were added to the times of the trajectory</source>
             <translation>%1：轨迹的时间加上了 %2 s</translation>
+        </message>
+        <message>
+            <source>Set time_offset=%1 where the path is that of a part of the cloud</source>
+            <translation>如果路径只属于点云的一部分，请设置 time_offset=%1</translation>
+        </message>
+        <message>
+            <source>the path of the whole cloud</source>
+            <translation>整个点云的路径</translation>
+        </message>
+        <message>
+            <source>the times of the points go %1, those of the trajectory %2: with an offset of %3 s (%4) only %5 % of the points have a pose</source>
+            <translation>点的时间为%1，轨迹的时间为%2：时间差为 %3 s（%4）时只有 %5 % 的点有位姿</translation>
+        </message>
+        <message>
+            <source>Set time_offset; it is %1 where both begin at the same moment</source>
+            <translation>请设置 time_offset；如果两者同时开始，其值为 %1</translation>
+        </message>
+        <message>
+            <source>a trajectory of the same scan, in GPS time, GPS time less 1e9 s, seconds of the GPS week or Unix time</source>
+            <translation>同一扫描的轨迹，采用 GPS 时间、减去 1e9 s 的 GPS 时间、GPS 周内秒或 Unix 时间</translation>
+        </message>
+        <message>
+            <source>the times of the points go %1, those of the trajectory %2: no clocks are known by which they go together</source>
+            <translation>点的时间为%1，轨迹的时间为%2：没有已知的时钟能使两者对应</translation>
         </message>
         <message>
             <source>hardly a point is nearer to it than %1 m</source>
@@ -3575,8 +5986,40 @@
             <translation>从此路径出发，%1 % 的射线穿过其他点；将路径在 x 方向移动约 %3 m、在 y 方向移动约 %4 m 后为 %2 %：路径与点云的原点可能不同，或两者的时钟不同，以致所有射线都是错的。未作任何改变</translation>
         </message>
         <message>
+            <source>%1 m or less, in the coordinate system of the points</source>
+            <translation>%1 m 或更近，在点的坐标系中</translation>
+        </message>
+        <message>
+            <source>Move the path into the coordinates of the cloud, or raise max_distance</source>
+            <translation>请将路径移到点云的坐标系中，或增大 max_distance</translation>
+        </message>
+        <message>
+            <source>the path does not run through the cloud: all but the nearest hundredth of the points are %1 m or more from the sensor that measured them (median %2 m)</source>
+            <translation>路径不穿过点云：除最近的百分之一外，所有点距测得它们的传感器 %1 m 或更远（中位数 %2 m）</translation>
+        </message>
+        <message>
+            <source>Check axes and time_offset, or take the trajectory away</source>
+            <translation>请检查坐标轴和 time_offset，或去掉轨迹</translation>
+        </message>
+        <message>
+            <source>a path in the coordinate system and clock of the points</source>
+            <translation>与点的坐标系和时钟相同的路径</translation>
+        </message>
+        <message>
+            <source>the points do not follow the path: they are %1 m from the sensor at their time, and %2 m from where it was at other times</source>
+            <translation>点不跟随路径：在其时刻距传感器 %1 m，而距传感器其他时刻的位置 %2 m</translation>
+        </message>
+        <message>
             <source>the points lie nearer the path (median %1 m, now %2 m) with %3 s more: the clocks may differ, for instance by leap seconds. Nothing was changed; set time_offset=%4 where it is so</source>
             <translation>加上 %3 s 后点离路径更近（中位数 %1 m，现为 %2 m）：时钟可能不同，例如相差闰秒。未作任何改变；如果属实，请设置 time_offset=%4</translation>
+        </message>
+        <message>
+            <source>%1 % of the points have a pose with time_offset=%2: their times go %3, those of the trajectory %4</source>
+            <translation>time_offset=%2 时 %1 % 的点有位姿：其时间为%3，轨迹的时间为%4</translation>
+        </message>
+        <message>
+            <source>times that overlap</source>
+            <translation>重叠的时间</translation>
         </message>
         <message>
             <source>joining points and path</source>
@@ -3597,6 +6040,26 @@
         <message>
             <source>the points had passes: those of the path took their place</source>
             <translation>点原有经过次序：已由路径的取代</translation>
+        </message>
+        <message>
+            <source>from %1 to %2 s</source>
+            <translation> %1 至 %2 s</translation>
+        </message>
+        <message>
+            <source>Export the cloud with times</source>
+            <translation>请连同时间导出点云</translation>
+        </message>
+        <message>
+            <source>no point has a time</source>
+            <translation>没有点有时间</translation>
+        </message>
+        <message>
+            <source>the time of every point</source>
+            <translation>每个点的时间</translation>
+        </message>
+        <message>
+            <source>the cloud has no points</source>
+            <translation>点云没有点</translation>
         </message>
         <message>
             <source>Finding the vertical</source>
@@ -3671,6 +6134,66 @@
             <translation>保持地图坐标轴：只找到一个标靶；未整平。</translation>
         </message>
         <message>
+            <source> and %1</source>
+            <translation> 和 %1</translation>
+        </message>
+        <message>
+            <source>Leave out %1, or give another shape</source>
+            <translation>请去掉 %1，或给出另一种形状</translation>
+        </message>
+        <message>
+            <source>plot option %1 are given and %2</source>
+            <translation>给出了样地选项 %1，且 %2</translation>
+        </message>
+        <message>
+            <source>plot option %1 is given and %2</source>
+            <translation>给出了样地选项 %1，且 %2</translation>
+        </message>
+        <message>
+            <source>plot options %1 are given and %2</source>
+            <translation>给出了样地选项 %1，且 %2</translation>
+        </message>
+        <message>
+            <source>plot options %1 is given and %2</source>
+            <translation>给出了样地选项 %1，且 %2</translation>
+        </message>
+        <message>
+            <source>plot options that go together: shape circle with radius, x and y; shape rectangle with width, length, bearing, x and y; shape polygon with vertices; shape none alone</source>
+            <translation>互相配合的样地选项：shape 为 circle 时用 radius、x 和 y；为 rectangle 时用 width、length、bearing、x 和 y；为 polygon 时用 vertices；为 none 时不用其他选项</translation>
+        </message>
+        <message>
+            <source>belong to different shapes, a circle and a rectangle</source>
+            <translation>它们属于不同的形状，即圆和矩形</translation>
+        </message>
+        <message>
+            <source>the plot has no size</source>
+            <translation>样地没有大小</translation>
+        </message>
+        <message>
+            <source>the plot is a %1</source>
+            <translation>样地为 %1</translation>
+        </message>
+        <message>
+            <source>shape is none</source>
+            <translation>shape 为 none（没有形状）</translation>
+        </message>
+        <message>
+            <source>the plot is a %1 whose vertices are connected</source>
+            <translation>样地为 %1，其顶点已连接</translation>
+        </message>
+        <message>
+            <source>Connect the input 'vertices' to a stage io.read_table</source>
+            <translation>请将输入“vertices”连接到步骤 io.read_table</translation>
+        </message>
+        <message>
+            <source>a table of x_m and y_m</source>
+            <translation>含 x_m 和 y_m 的表</translation>
+        </message>
+        <message>
+            <source>shape is polygon and no vertices are connected</source>
+            <translation>shape 为 polygon，但没有连接顶点</translation>
+        </message>
+        <message>
             <source>the options x and y</source>
             <translation>选项 x 和 y</translation>
         </message>
@@ -3715,6 +6238,42 @@
             <translation>观测位置相距 %1 m，target_views 为 %2 m</translation>
         </message>
         <message>
+            <source>Swap them, or set years</source>
+            <translation>请交换两者，或设置 years</translation>
+        </message>
+        <message>
+            <source>an earlier and a later survey</source>
+            <translation>一次较早和一次较晚的调查</translation>
+        </message>
+        <message>
+            <source>the second survey is not later than the first (dates of the tables)</source>
+            <translation>第二次调查不晚于第一次（按表中的日期）</translation>
+        </message>
+        <message>
+            <source>Rows planted evenly look alike from both ends: bring both tables into the same axes (survey.georeference, or the same targets) and set axes=same</source>
+            <translation>均匀种植的行从两端看来相同：请使两个表的坐标轴相同（survey.georeference，或相同的标靶），并设置 axes=same</translation>
+        </message>
+        <message>
+            <source>one motion that fits better than all others</source>
+            <translation>一个比其他都更相符的移动</translation>
+        </message>
+        <message>
+            <source>two maps of %1 and %2 trees that %3 of their trees bring together, and another turn or shift does the same for %4</source>
+            <translation>有 %1 株和 %2 株树的两幅地图由其中 %3 株重合，而另一旋转或平移同样使 %4 株重合</translation>
+        </message>
+        <message>
+            <source>Check that both are of the same plot, unmirrored, in metres; set axes=same where both lie in the same axes, and max_growth or match_distance where much has changed</source>
+            <translation>请检查两者是否为同一样地、未成镜像、以米为单位；如果坐标轴相同，请设置 axes=same；如果变化很大，请设置 max_growth 或 match_distance</translation>
+        </message>
+        <message>
+            <source>at least 5 trees, a third of those that both cover, at the same places with like diameters</source>
+            <translation>至少 5 株树，占两者都覆盖的三分之一，位置相同且直径相近</translation>
+        </message>
+        <message>
+            <source>two maps of %1 and %2 trees that %3 of their trees bring together</source>
+            <translation>有 %1 株和 %2 株树的两幅地图由其中 %3 株重合</translation>
+        </message>
+        <message>
             <source>the years between the surveys are not known: growth is that of the whole time. Set years</source>
             <translation>两次调查之间的年数未知：生长量是整个时段的。请设置 years</translation>
         </message>
@@ -3733,6 +6292,14 @@
         <message>
             <source>%1 trees were missed by one of the surveys</source>
             <translation>有 %1 株树被其中一次调查漏掉</translation>
+        </message>
+        <message>
+            <source>%1 stems in the first and %2 in the second table</source>
+            <translation>第一个表有 %1 株单木，第二个表有 %2 株</translation>
+        </message>
+        <message>
+            <source>stems in both</source>
+            <translation>两者都有单木</translation>
         </message>
         <message>
             <source>Bringing the two maps together</source>
@@ -3755,12 +6322,44 @@
             <translation>按地面的平面整平：样地的坡度与地图的倾斜无法区分，已一并去除</translation>
         </message>
         <message>
+            <source>Set level to stems, or to auto</source>
+            <translation>请将 level 设为 stems 或 auto</translation>
+        </message>
+        <message>
+            <source>a map that was made with an inertial unit (slam.preset best or inertial)</source>
+            <translation>用惯性单元生成的地图（slam.preset 为 best 或 inertial）</translation>
+        </message>
+        <message>
+            <source>level is gravity, and nothing tells the direction of gravity in this map</source>
+            <translation>level 为 gravity，而此地图的重力方向无从得知</translation>
+        </message>
+        <message>
             <source>%1 stems were found to level by, min_stems is %2: the ground was taken instead</source>
             <translation>可用于整平的单木只有 %1 株，min_stems 为 %2：改用地面</translation>
         </message>
         <message>
             <source>there was nothing to level by: the map's z axis was kept</source>
             <translation>没有可用于整平的内容：保持地图的 z 轴</translation>
+        </message>
+        <message>
+            <source>Connect trajectory, or set file</source>
+            <translation>请连接 trajectory，或设置 file</translation>
+        </message>
+        <message>
+            <source>a GNSS track is given, but no trajectory of the walk</source>
+            <translation>给出了 GNSS 轨迹，但没有行走的轨迹</translation>
+        </message>
+        <message>
+            <source>Set file, or easting and northing, or latitude and longitude</source>
+            <translation>请设置 file，或 easting 和 northing，或 latitude 和 longitude</translation>
+        </message>
+        <message>
+            <source>control points or the centre</source>
+            <translation>控制点或中心</translation>
+        </message>
+        <message>
+            <source>crs or bearing is given, but no place of the plot</source>
+            <translation>给出了 crs 或 bearing，但没有样地的位置</translation>
         </message>
         <message>
             <source>no control points, centre coordinates or GNSS track are given: the place of the plot on the earth is not known, and everything stays as it is</source>
@@ -3794,6 +6393,46 @@
     <context>
         <name>vtkbridge</name>
         <message>
+            <source>array 'array_%1' has %2 values</source>
+            <translation>数组“array_%1”有 %2 个值</translation>
+        </message>
+        <message>
+            <source>a %1 is connected</source>
+            <translation>连接的是 %1</translation>
+        </message>
+        <message>
+            <source>a missing object is connected</source>
+            <translation>连接的对象缺失</translation>
+        </message>
+        <message>
+            <source>Connect io.read_scan</source>
+            <translation>请连接 io.read_scan</translation>
+        </message>
+        <message>
+            <source>data without the frames of a scan is connected</source>
+            <translation>连接的数据不含扫描的帧</translation>
+        </message>
+        <message>
+            <source>the output of a scan reader</source>
+            <translation>读取扫描的步骤的输出</translation>
+        </message>
+        <message>
+            <source>Connect io.read_views</source>
+            <translation>请连接 io.read_views</translation>
+        </message>
+        <message>
+            <source>data without the pictures of a camera is connected</source>
+            <translation>连接的数据不含相机的图像</translation>
+        </message>
+        <message>
+            <source>the output of a reader of pictures</source>
+            <translation>读取图像的步骤的输出</translation>
+        </message>
+        <message>
+            <source>stage '%1': %2</source>
+            <translation>步骤“%1”：%2</translation>
+        </message>
+        <message>
             <source>%1. Get a whole file, or go on with what there is (--accept-partial)</source>
             <translation>%1。请取得完整的文件，或用现有内容继续（--accept-partial）</translation>
         </message>
@@ -3818,16 +6457,32 @@
             <translation>其所有输入都失败了</translation>
         </message>
         <message>
-            <source>stage '%1': %2</source>
-            <translation>步骤“%1”：%2</translation>
-        </message>
-        <message>
             <source>cancelled on request</source>
             <translation>应要求取消</translation>
         </message>
         <message>
             <source>reading %1 to see whether its result is known</source>
             <translation>读取 %1 以查看其结果是否已知</translation>
+        </message>
+        <message>
+            <source>a stage that `bole stages` lists</source>
+            <translation>`bole stages` 列出的步骤</translation>
+        </message>
+        <message>
+            <source>no stage type is set</source>
+            <translation>没有设置步骤类型</translation>
+        </message>
+        <message>
+            <source>this build has no stage '%1'</source>
+            <translation>此版本没有步骤“%1”</translation>
+        </message>
+        <message>
+            <source>nothing is connected</source>
+            <translation>没有连接任何内容</translation>
+        </message>
+        <message>
+            <source>the stage before gave nothing</source>
+            <translation>前一步骤没有给出任何内容</translation>
         </message>
     </context>
 </TS>
