@@ -1,6 +1,6 @@
 // What stages tell is shown in the language of the window: sentences with whatever is inserted, logs, lists and
 // tooltips. That every sentence of the code has its Chinese is tested in tests/rules/finding_words_test.py.
-#include "document/finding_words.h"
+#include "look/finding_words.h"
 
 #include <QApplication>
 #include <QFile>
@@ -37,7 +37,7 @@ QString filled(const QString& sentence, const QStringList& inserted) {
 // Words that are no names of options, files, formats or units.
 QStringList english_words(QString text, const QStringList& names) {
   static const QRegularExpression kept(
-      "[\\w.]+=[\\w.-]*|\\w*_\\w*|[\\w/-]+\\.[a-z]\\w*|[\\w-]+/"
+      "[\\w.]+=[\\w.-]*|[\\w/-]+\\.[a-z]\\w*|\\w*_\\w*|[\\w-]+/"
       "|\\b(?:cm|mm|m2|ha|deg|mrad|text|method|tin|JSON|GeoJSON|GNSS)\\b");
   text.remove(kept);
   for (const auto& name : names) text.remove(QRegularExpression("\\b" + QRegularExpression::escape(name) + "\\b"));

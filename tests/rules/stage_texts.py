@@ -12,10 +12,10 @@ from cpp_texts import MOST_TEXTS, Source, split, tokens_of
 
 PLACE = "\x00"  # of an inserted value, in a text
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-# What a finding, a warning or a message goes through last: the name of the call, and which argument is the text.
-# A vector of warnings is told by someone else later.
-LISTS = re.compile(r"warnings_?|damage_?|told|left_out")
-HELD = {"message", "warning", "stopped", "why", "lost", "note", "evidence", "unknown", "assumed_size", "rejected", "error"}  # members whose text is told later
+LISTS = re.compile(r"warnings_?|damage_?|told|left_out")  # what is put into them is told later
+HELD = {  # members whose text is told later
+    "message", "warning", "stopped", "why", "lost", "note", "evidence", "unknown", "assumed_size", "rejected", "error",
+}
 REFUSALS = {"bad_input", "failure"}  # what was found, what was needed, what to do
 # Modules whose errors are asked for. Those of the others are mostly of damaged files.
 WITH_REFUSALS = {
@@ -44,8 +44,8 @@ FILE = re.compile(r"tum_freiburg|<.*|[\w%./*-]*(?:\.(?:csv|html|json|tum|ply|xls
 UNITS = set("m mm cm km ms min deg mrad rad px pixel Hz kHz MHz MiB GiB KiB MB GB ha kg th nd st dB ppm".split())
 NUMBERS = {"number_text", "option_text", "limit_text"}
 HTML = "modules/report/core/"  # the texts of the page that a report is
-SHARED = {"base", "camera", "cloud", "geo"}
-DEPTH = 6
+SHARED = {"base", "camera", "cloud", "geo"}  # modules whose functions all others call
+DEPTH = 6  # of functions and variables that are followed
 
 
 def plain(template):
@@ -344,7 +344,7 @@ def roots(source):
             continue
         if tokens[i + 1].is_op("=", "+=") and not member and is_given_back(source, i):
             yield i, tokens[i + 2 : statement_end(tokens, i)]
-        if source.path in FIGURES and tokens[i + 2].kind == "str" and (token.text, tokens[i + 1].text) in {("add", "("), ("name", "=")}:
+        if source.path in FIGURES and tokens[i + 2].kind == "str" and (token.text, tokens[i + 1].text) in {("add", "("), ("add_one", "("), ("name", "=")}:
             yield i, [tokens[i + 2]]
         if tokens[i + 1].is_op("(", "{"):
             if token.text.endswith("Conflict") and tokens[i - 1].text in {"throw", "return"}:

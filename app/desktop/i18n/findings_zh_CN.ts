@@ -3401,6 +3401,14 @@
             <translation>尖削度图</translation>
         </message>
         <message>
+            <source>terrain</source>
+            <translation>地形图</translation>
+        </message>
+        <message>
+            <source>canopy height</source>
+            <translation>冠层高度图</translation>
+        </message>
+        <message>
             <source>stem map</source>
             <translation>单木分布图</translation>
         </message>

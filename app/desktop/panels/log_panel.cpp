@@ -15,7 +15,7 @@
 #include <QVBoxLayout>
 
 #include "commands/commands.h"
-#include "document/finding_words.h"
+#include "look/finding_words.h"
 
 namespace bole::desktop {
 namespace {

@@ -22,7 +22,7 @@ struct LogLine {
   LogLevel level = LogLevel::info;
 };
 
-// Lines are shown in the language of the window (document/finding_words.h).
+// Lines are shown in the language of the window (look/finding_words.h).
 class LogPanel : public QWidget {
   Q_OBJECT
 

@@ -17,8 +17,8 @@
 #include <utility>
 
 #include "base/core/path_list.h"
-#include "document/finding_words.h"
 #include "document/stage_words.h"
+#include "look/finding_words.h"
 #include "look/last_folder.h"
 #include "pipeline/skipped_stages.h"
 

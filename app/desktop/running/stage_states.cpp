@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "document/finding_words.h"
 #include "document/session.h"
+#include "look/finding_words.h"
 #include "pipeline/skipped_stages.h"
 #include "running/runner.h"
 

@@ -4,8 +4,8 @@
 #include <QStatusBar>
 #include <utility>
 
-#include "document/finding_words.h"
 #include "document/stage_roles.h"
+#include "look/finding_words.h"
 #include "look/icons.h"
 #include "panels/pipeline_panel.h"
 #include "panels/properties_panel.h"

@@ -4,7 +4,7 @@
 #include <QTreeWidget>
 
 #include "document/edit_list.h"
-#include "document/finding_words.h"
+#include "look/finding_words.h"
 #include "running/runner.h"
 #include "views/scene_view.h"
 #include "workbench/workbench.h"

@@ -5,9 +5,9 @@
 #include <QPushButton>
 #include <algorithm>
 
-#include "document/finding_words.h"
 #include "document/stage_roles.h"
 #include "look/elided_label.h"
+#include "look/finding_words.h"
 #include "render/charts/columns.h"
 #include "running/first_look.h"
 #include "workbench/workbench.h"

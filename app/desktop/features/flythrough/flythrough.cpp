@@ -16,7 +16,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
-#include "document/finding_words.h"
+#include "look/finding_words.h"
 #include "look/last_folder.h"
 #include "report/flight/video.h"
 #include "views/scene_view.h"

@@ -14,10 +14,10 @@
 
 #include "base/atomic_file.h"
 #include "cloud/table_columns.h"
-#include "document/finding_words.h"
 #include "document/stage_roles.h"
 #include "features/georeference/control_table.h"
 #include "io/core/tables/table_file.h"
+#include "look/finding_words.h"
 #include "look/last_folder.h"
 #include "panels/pipeline_panel.h"
 #include "views/scene_view.h"

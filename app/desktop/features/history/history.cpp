@@ -1,7 +1,7 @@
 // The edits of the document and the runs of this session, and two runs side by side.
-#include "document/finding_words.h"
 #include "features/history/compare_window.h"
 #include "features/history/history_panel.h"
+#include "look/finding_words.h"
 #include "workbench/workbench.h"
 
 namespace bole::desktop {

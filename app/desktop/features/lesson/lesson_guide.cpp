@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "document/finding_words.h"
 #include "features/lesson/lesson_files.h"
 #include "features/lesson/lesson_words.h"
+#include "look/finding_words.h"
 #include "workbench/workbench.h"
 
 namespace bole::desktop {

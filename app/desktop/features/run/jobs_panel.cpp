@@ -12,7 +12,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "document/finding_words.h"
+#include "look/finding_words.h"
 #include "running/runner.h"
 
 namespace bole::desktop {

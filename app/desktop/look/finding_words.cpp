@@ -1,4 +1,4 @@
-#include "document/finding_words.h"
+#include "look/finding_words.h"
 
 #include <QFile>
 #include <QHash>
@@ -15,9 +15,11 @@
 namespace bole::desktop {
 namespace {
 
-constexpr int most_words_of_a_name = 3;  // of an inserted text that may stay as it is
-constexpr int few_letters = 8;           // sentences with fewer fixed letters match nearly anything
-constexpr int most_remembered = 5000;
+constexpr int max_words_of_a_name = 3;  // of an inserted text that may stay as it is
+constexpr int few_letters = 8;          // sentences with fewer fixed letters match nearly anything
+constexpr int max_remembered = 5000;
+constexpr int max_letters = 2000;                  // letters of a line that a stage may tell
+constexpr const char* needed_mark = "; needed: ";  // base/error.h
 
 // A sentence cut at its %1, %2 ..., which come in this order in the English.
 class FindingPattern {
@@ -29,6 +31,9 @@ class FindingPattern {
   }
 
   int length() const { return length_; }
+  bool contains(const char* text) const {
+    return std::ranges::any_of(fixed_, [text](const QString& part) { return part.contains(text); });
+  }
   bool is_weak() const { return letters_ < few_letters; }
   // ", trees from %1 cm": what is added to a sentence.
   bool is_a_tail() const { return !fixed_.front().isEmpty() && !fixed_.front().front().isLetterOrNumber(); }
@@ -90,9 +95,10 @@ class FindingCatalogue {
 
   QString words(const QString& english) {
     if (patterns_.empty()) return english;
-    if (remembered_.size() > most_remembered) remembered_.clear();
+    if (remembered_.size() > max_remembered) remembered_.clear();
     QStringList lines;
-    for (const auto& line : english.split('\n')) lines << found(line).value_or(line);
+    for (const auto& line : english.split('\n'))
+      lines << (line.size() > max_letters ? line : found(line).value_or(line));
     return lines.join('\n');
   }
 
@@ -121,15 +127,26 @@ class FindingCatalogue {
     return rest ? Words(match.captured() + *rest) : Words();
   }
 
+  // What was needed is cut off first: no pattern goes over that, but those that say it themselves.
+  static bool reaches_too_far(const FindingPattern& pattern, const QString& english) {
+    return english.contains(needed_mark) && !pattern.contains(needed_mark);
+  }
+
+  // Short patterns take names, and what is a sentence of the catalogue or a part of one.
+  bool is_known(const FindingPattern& pattern, const QString& inserted, const QString& words) {
+    if (words == inserted) return words.count(' ') < (pattern.is_weak() ? 1 : max_words_of_a_name);
+    const bool in_pieces = inserted.contains(". ") || inserted.contains("; ");
+    return !pattern.is_weak() || !in_pieces || whole_.contains(inserted) || of_a_pattern(inserted, false);
+  }
+
   // `with_unknown`: whole sentences may be inserted that have no words here.
   Words of_a_pattern(const QString& english, bool with_unknown) {
     for (const auto& pattern : patterns_) {
-      if (with_unknown && pattern.is_weak()) continue;
+      if ((with_unknown && pattern.is_weak()) || reaches_too_far(pattern, english)) continue;
       if (const auto inserted = pattern.match(english)) {
         const auto words = all_words(*inserted);
         bool known = true;  // or names and numbers
-        for (int i = 0; i < words.size(); ++i)
-          known &= words[i] != inserted->at(i) || words[i].count(' ') < (pattern.is_weak() ? 1 : most_words_of_a_name);
+        for (int i = 0; i < words.size(); ++i) known &= is_known(pattern, inserted->at(i), words[i]);
         if (known || with_unknown) return pattern.filled(words);
       }
     }
@@ -146,8 +163,9 @@ class FindingCatalogue {
   Words with_a_tail(const QString& english) {
     for (int at = english.size() - 1; at > 0; --at) {
       if (english[at].isLetterOrNumber()) continue;
+      const QString rest = english.mid(at);
       for (const auto& tail : tails_)
-        if (const auto inserted = tail.match(english.mid(at)))
+        if (const auto inserted = tail.match(rest))
           if (const auto head = found(english.left(at))) return *head + tail.filled(all_words(*inserted));
     }
     return {};
@@ -155,7 +173,7 @@ class FindingCatalogue {
 
   // Errors are made of what was found, what was needed and what to do (base/error.h); some findings of two sentences.
   Words piece_by_piece(const QString& english) {
-    static const std::array<std::array<QString, 2>, 4> between{{{"; needed: ", QStringLiteral("；需要：")},
+    static const std::array<std::array<QString, 2>, 4> between{{{needed_mark, QStringLiteral("；需要：")},
                                                                 {". ", QStringLiteral("。")},
                                                                 {"; ", QStringLiteral("；")},
                                                                 {": ", QStringLiteral("：")}}};
