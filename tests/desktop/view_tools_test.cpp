@@ -577,6 +577,7 @@ class ViewToolsTest : public QObject {
     open("plot.json");
     window_->session().set_option("slice", "thickness", 0.15);
     QVERIFY(window_->session().changed());
+    window_->log().add("the file holds no points", LogLevel::warning);
     restart_in_language(*window_, "zh_CN");
     QVERIFY(!window_->isVisible());
     QTimer::singleShot(0, qApp, &QCoreApplication::quit);  // the loop that was to end
@@ -584,6 +585,7 @@ class ViewToolsTest : public QObject {
     window_ = std::make_unique<MainWindow>();
     window_->show();
     QVERIFY(reopen(*window_));
+    QCOMPARE(window_->log().all_lines().front().text, QString("the file holds no points"));
     QCOMPARE(std::get<double>(window_->session().document().at("slice").options.get("thickness")), 0.15);
     QVERIFY(window_->session().changed());
     QVERIFY(wait_for_run(*window_));

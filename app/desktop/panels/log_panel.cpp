@@ -15,11 +15,12 @@
 #include <QVBoxLayout>
 
 #include "commands/commands.h"
+#include "look/finding_words.h"
 
 namespace bole::desktop {
 namespace {
 
-constexpr int level_role = Qt::UserRole + 1, max_lines = 5000;
+constexpr int level_role = Qt::UserRole + 1, english_role = Qt::UserRole + 2, max_lines = 5000;
 
 class FromLevel : public QSortFilterProxyModel {
  public:
@@ -87,19 +88,35 @@ LogPanel::LogPanel(Commands& commands, QWidget* parent)
 }
 
 void LogPanel::add(const QString& text, LogLevel level) {
+  add({QTime::currentTime().toString("HH:mm:ss"), text, level});
+}
+
+void LogPanel::add(const LogLine& line) {
   const auto* bar = view_->verticalScrollBar();
   const bool at_end = bar->value() >= bar->maximum() - 4;
-  auto* time = new QStandardItem(QTime::currentTime().toString("HH:mm:ss"));
-  auto* what = new QStandardItem(text);
-  what->setData(static_cast<int>(level), level_role);
-  what->setToolTip(text);
-  if (level != LogLevel::info)
-    what->setIcon(
-        style()->standardIcon(level == LogLevel::error ? QStyle::SP_MessageBoxCritical : QStyle::SP_MessageBoxWarning));
+  const QString words = finding_words(line.text);
+  auto* time = new QStandardItem(line.time);
+  auto* what = new QStandardItem(words);
+  what->setData(static_cast<int>(line.level), level_role);
+  what->setData(line.text, english_role);
+  what->setToolTip(words);
+  if (line.level != LogLevel::info)
+    what->setIcon(style()->standardIcon(line.level == LogLevel::error ? QStyle::SP_MessageBoxCritical
+                                                                      : QStyle::SP_MessageBoxWarning));
   time->setTextAlignment(Qt::AlignTop);
   model_->appendRow({time, what});
   if (model_->rowCount() > max_lines) model_->removeRow(0);
   if (at_end) view_->scrollToBottom();
+}
+
+std::vector<LogLine> LogPanel::all_lines() const {
+  std::vector<LogLine> lines;
+  for (int row = 0; row < model_->rowCount(); ++row) {
+    const auto* what = model_->item(row, 1);
+    lines.push_back({model_->item(row, 0)->text(), what->data(english_role).toString(),
+                     static_cast<LogLevel>(what->data(level_role).toInt())});
+  }
+  return lines;
 }
 
 int LogPanel::lines() const { return by_words_->rowCount(); }

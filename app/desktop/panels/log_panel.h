@@ -1,7 +1,9 @@
 // What happened in this session: sentences with time and level, filtered by level and words.
 #pragma once
 
+#include <QString>
 #include <QWidget>
+#include <vector>
 
 class QComboBox;
 class QLineEdit;
@@ -15,6 +17,12 @@ class Commands;
 
 enum class LogLevel { info, warning, error };
 
+struct LogLine {
+  QString time, text;  // as it was added: stages speak English
+  LogLevel level = LogLevel::info;
+};
+
+// Lines are shown in the language of the window (look/finding_words.h).
 class LogPanel : public QWidget {
   Q_OBJECT
 
@@ -22,7 +30,9 @@ class LogPanel : public QWidget {
   LogPanel(Commands& commands, QWidget* parent);
 
   void add(const QString& text, LogLevel level = LogLevel::info);
-  int lines() const;  // that are shown
+  void add(const LogLine& line);
+  std::vector<LogLine> all_lines() const;  // shown or not, for another window
+  int lines() const;                       // that are shown
   void show_from(LogLevel level);
   void search(const QString& words);
   QString text() const;  // of the lines that are shown

@@ -18,6 +18,7 @@
 
 #include "base/core/path_list.h"
 #include "document/stage_words.h"
+#include "look/finding_words.h"
 #include "look/last_folder.h"
 #include "pipeline/skipped_stages.h"
 
@@ -191,7 +192,7 @@ void PropertiesPanel::rebuild() {
 void PropertiesPanel::show_notice(const pipeline::StageNode& stage) {
   QStringList lines;
   for (const auto& problem : pipeline::validate(session_.document()))
-    if (problem.stage == stage.id) lines << QString::fromStdString(problem.message);
+    if (problem.stage == stage.id) lines << finding_words(problem.message);
   if (pipeline::is_skipped(session_.document(), stage)) lines << tr("This stage runs when its file is given.");
   notice_->setText(lines.join("\n"));
   notice_->setVisible(!lines.isEmpty());

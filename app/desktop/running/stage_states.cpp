@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "document/session.h"
+#include "look/finding_words.h"
 #include "pipeline/skipped_stages.h"
 #include "running/runner.h"
 
@@ -96,8 +97,8 @@ QString seconds_words(double seconds) {
 
 QString state_details(const StageState& state) {
   QStringList lines;
-  if (!state.message.isEmpty()) lines << state.message;
-  lines << state.warnings;
+  if (!state.message.isEmpty()) lines << finding_words(state.message);
+  for (const auto& warning : state.warnings) lines << finding_words(warning);
   if (state.seconds) lines << StageStates::tr("Took %1.").arg(seconds_words(*state.seconds));
   return lines.join('\n');
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "document/stage_roles.h"
+#include "look/finding_words.h"
 #include "look/icons.h"
 #include "panels/pipeline_panel.h"
 #include "panels/properties_panel.h"
@@ -51,8 +52,9 @@ void Workbench::connect_document() {
   connect(run_, &Runner::job_ended, this, [this] {
     if (std::exchange(refresh_again_, false)) guarded([&] { refresh(); });
   });
-  connect(&session_, &Session::unprotected, this,
-          [this](const QString& why) { complain(tr("Changes are not kept until they are saved: %1").arg(why)); });
+  connect(&session_, &Session::unprotected, this, [this](const QString& why) {
+    complain(tr("Changes are not kept until they are saved: %1").arg(finding_words(why)));
+  });
   connect(&session_.undo_stack(), &QUndoStack::indexChanged, this, &Workbench::show_title);
   connect(&session_.undo_stack(), &QUndoStack::cleanChanged, this, &Workbench::show_title);
   connect(this, &Workbench::document_saved, this, &Workbench::show_title);
@@ -117,10 +119,10 @@ void Workbench::complain(const QString& text) { tell(text, LogLevel::error); }
 
 void Workbench::tell(const QString& text, LogLevel level) {
   log_->add(text, level);
-  statusBar()->showMessage(text, message_ms);
+  statusBar()->showMessage(finding_words(text), message_ms);
 }
 
-void Workbench::hint(const QString& text) { statusBar()->showMessage(text); }
+void Workbench::hint(const QString& text) { statusBar()->showMessage(finding_words(text)); }
 
 void Workbench::document_is_open() {
   refresh_again_ = false;

@@ -4,6 +4,7 @@
 #include <QTreeWidget>
 
 #include "document/edit_list.h"
+#include "look/finding_words.h"
 #include "running/runner.h"
 #include "views/scene_view.h"
 #include "workbench/workbench.h"
@@ -69,7 +70,7 @@ class Decisions : public QTreeWidget {
   static QString outcome_words(const EditEntry& entry) {
     if (!entry.applied) return Workbench::tr("not run yet");
     const auto words = *entry.applied ? Workbench::tr("applied") : Workbench::tr("does not fit");
-    return entry.message.isEmpty() ? words : words + ": " + entry.message;
+    return entry.message.isEmpty() ? words : words + ": " + finding_words(entry.message);
   }
 
   static QString place_words(const EditEntry& entry) {

@@ -7,6 +7,7 @@
 
 #include "document/stage_roles.h"
 #include "look/elided_label.h"
+#include "look/finding_words.h"
 #include "render/charts/columns.h"
 #include "running/first_look.h"
 #include "workbench/workbench.h"
@@ -98,7 +99,7 @@ void NextStep::show_seen(const FirstSeen& seen) {
   line << seen.facts;
   what_->set_line(line.join(between));
   if (!seen.large.isEmpty()) what_->setToolTip(what_->text() + "\n\n" + seen.large);
-  if (!seen.warnings.isEmpty()) what_->setToolTip(what_->text() + "\n\n" + seen.warnings.join('\n'));
+  if (!seen.warnings.isEmpty()) what_->setToolTip(what_->text() + "\n\n" + finding_words(seen.warnings.join('\n')));
 }
 
 void NextStep::show_preparing(const QString& file, double fraction) {
@@ -107,7 +108,7 @@ void NextStep::show_preparing(const QString& file, double fraction) {
                       .join(between));
 }
 
-void NextStep::show_problem(const QString& why) { what_->set_line(why); }
+void NextStep::show_problem(const QString& why) { what_->set_line(finding_words(why)); }
 
 void NextStep::show_survey(const Survey& survey) {
   if (survey.empty()) return;

@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 #include <QVariant>
 
+#include "look/finding_words.h"
 #include "look/last_folder.h"
 #include "report/flight/video.h"
 #include "views/scene_view.h"
@@ -198,7 +199,7 @@ void FlythroughDialog::end(const QString& said, const QString& why) {
   progress_->setVisible(false);
   cancel_->setText(tr("Close"));
   show_what_it_makes();
-  what_->setText(why.isEmpty() ? said : why);
+  what_->setText(finding_words(why.isEmpty() ? said : why));
   if (why.isEmpty())
     Q_EMIT made(said);
   else

@@ -17,6 +17,7 @@
 #include "document/stage_roles.h"
 #include "features/georeference/control_table.h"
 #include "io/core/tables/table_file.h"
+#include "look/finding_words.h"
 #include "look/last_folder.h"
 #include "panels/pipeline_panel.h"
 #include "views/scene_view.h"
@@ -146,7 +147,7 @@ void PlaceForm::show_document() {
   try {
     table_->show_points(io::read_table(file.toStdString()));
   } catch (const Error& e) {
-    say(QString::fromUtf8(e.what()));
+    say(finding_words(QString::fromUtf8(e.what())));
   }
 }
 
@@ -166,8 +167,8 @@ void PlaceForm::take(const vtkbridge::RunOutcome& outcome, const Results& result
   for (const auto& stage : outcome.stages) {
     if (const auto targets = table_in(results, stage.record.id, targets_port)) table_->show_targets(*targets);
     if (stage.record.id != node->id) continue;
-    QStringList lines{QString::fromStdString(stage.error.empty() ? stage.record.report.message : stage.error)};
-    for (const auto& warning : stage.record.report.warnings) lines << QString::fromStdString(warning);
+    QStringList lines{finding_words(stage.error.empty() ? stage.record.report.message : stage.error)};
+    for (const auto& warning : stage.record.report.warnings) lines << finding_words(warning);
     say(lines.join('\n'));
   }
   table_->show_residuals(residuals_.get());

@@ -1,6 +1,7 @@
 // The edits of the document and the runs of this session, and two runs side by side.
 #include "features/history/compare_window.h"
 #include "features/history/history_panel.h"
+#include "look/finding_words.h"
 #include "workbench/workbench.h"
 
 namespace bole::desktop {
@@ -33,7 +34,7 @@ void install_history(Workbench& bench) {
                    [b](int first, int second) { b->guarded([&] { compare(b, first, second); }); });
   QObject::connect(history, &HistoryPanel::refused, b, &Workbench::complain);
   QObject::connect(&bench.runner(), &Runner::fetch_failed, b, [b](const QString& why) {
-    b->complain(Workbench::tr("The result of the run could not be fetched again: %1").arg(why));
+    b->complain(Workbench::tr("The result of the run could not be fetched again: %1").arg(finding_words(why)));
   });
 }
 

@@ -7,6 +7,7 @@
 
 #include "features/lesson/lesson_files.h"
 #include "features/lesson/lesson_words.h"
+#include "look/finding_words.h"
 #include "workbench/workbench.h"
 
 namespace bole::desktop {
@@ -205,7 +206,7 @@ LessonGuide::Feedback LessonGuide::answer_number(int question, const QString& ty
     return note(question, {true, tr("Right: %1.").arg(QString::number(right, 'f', decimals) + unit) + " " +
                                      lesson_text(asked.why)});
   } catch (const Error& e) {
-    return {false, tr("Your run does not give the answer: %1").arg(QString::fromUtf8(e.what()))};
+    return {false, tr("Your run does not give the answer: %1").arg(finding_words(QString::fromUtf8(e.what())))};
   }
 }
 

@@ -12,6 +12,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "look/finding_words.h"
 #include "running/runner.h"
 
 namespace bole::desktop {
@@ -44,11 +45,11 @@ class ProgressDelegate : public QStyledItemDelegate {
 };
 
 QString sentence(const Job& job) {
-  if (!job.outcome.error.empty()) return QString::fromStdString(job.outcome.error);
+  if (!job.outcome.error.empty()) return finding_words(job.outcome.error);
   QStringList lines;
   for (const auto& stage : job.outcome.stages)
     for (const auto& warning : stage.record.report.warnings)
-      lines << QString::fromStdString(stage.record.id + ": " + warning);
+      lines << QString::fromStdString(stage.record.id) + ": " + finding_words(warning);
   return lines.join('\n');
 }
 

@@ -179,12 +179,14 @@ void take_up(SeenCloud& seen, const SeeCloudOptions& options) {
     const bool wide = sight.extent_m.z() > wide_m && sight.extent_m[1 - axis] > wide_m;
     const bool ground = wide && e.ground_seen > surface && e.ground_seen > times_of_z * sight.along[2].ground_seen;
     if (e.stems == 0 && !ground) continue;
-    report.find(
-        Severity::look, "up_axis_unclear",
-        fmt::format("{0} may be up: {1}{2}. The cloud was read with z up; set up={0}, or up=z where that is right",
-                    axis_letters[static_cast<std::size_t>(axis)],
-                    e.stems > 0 ? "stems stand along it (" + stems_along(sight) + ")" : "",
-                    ground ? fmt::format("{}a smooth ground lies across it", e.stems > 0 ? ", and " : "") : ""));
+    const std::string stand = "stems stand along it (" + stems_along(sight) + ")";
+    const std::string lies = "a smooth ground lies across it";
+    report.find(Severity::look, "up_axis_unclear",
+                fmt::format("{0} may be up: {1}. The cloud was read with z up; set up={0}, or up=z where that is right",
+                            axis_letters[static_cast<std::size_t>(axis)],
+                            e.stems == 0 ? lies
+                            : ground     ? stand + ", and " + lies
+                                         : stand));
     return;
   }
 }

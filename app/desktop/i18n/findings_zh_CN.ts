@@ -1,0 +1,6496 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="zh_CN">
+    <context>
+        <name>base</name>
+        <message>
+            <source>Move the folder away</source>
+            <translation>请移走该文件夹</translation>
+        </message>
+        <message>
+            <source>a name that is free</source>
+            <translation>可用的名称</translation>
+        </message>
+        <message>
+            <source>cannot write '%1': there is a folder of that name</source>
+            <translation>无法写入“%1”：已有同名的文件夹</translation>
+        </message>
+        <message>
+            <source>cannot put '%1' in place: %2</source>
+            <translation>无法放置“%1”：%2</translation>
+        </message>
+        <message>
+            <source>a folder that may be written to</source>
+            <translation>可写的文件夹</translation>
+        </message>
+        <message>
+            <source>cannot write '%1'</source>
+            <translation>无法写入“%1”</translation>
+        </message>
+        <message>
+            <source>space on the disk</source>
+            <translation>磁盘空间</translation>
+        </message>
+        <message>
+            <source>true or false%1</source>
+            <translation>true 或 false 之一%1</translation>
+        </message>
+        <message>
+            <source>true or false, or %1</source>
+            <translation>true 或 false，或 %1</translation>
+        </message>
+        <message>
+            <source>a whole number from %1 to %2</source>
+            <translation>%1 至 %2 的整数</translation>
+        </message>
+        <message>
+            <source>a whole number from %1 to %2 %3</source>
+            <translation>%1 至 %2 %3 的整数</translation>
+        </message>
+        <message>
+            <source>a whole number from %1 to %2 %3, or %4</source>
+            <translation>%1 至 %2 %3 的整数，或 %4</translation>
+        </message>
+        <message>
+            <source>a whole number from %1 to %2, or %3</source>
+            <translation>%1 至 %2 的整数，或 %3</translation>
+        </message>
+        <message>
+            <source>a number from %1 to %2</source>
+            <translation>%1 至 %2 的数</translation>
+        </message>
+        <message>
+            <source>a number from %1 to %2 %3</source>
+            <translation>%1 至 %2 %3 的数</translation>
+        </message>
+        <message>
+            <source>a number from %1 to %2 %3, or %4</source>
+            <translation>%1 至 %2 %3 的数，或 %4</translation>
+        </message>
+        <message>
+            <source>a number from %1 to %2, or %3</source>
+            <translation>%1 至 %2 的数，或 %3</translation>
+        </message>
+        <message>
+            <source>one of</source>
+            <translation>之一</translation>
+        </message>
+        <message>
+            <source>one of%1</source>
+            <translation>下列之一：%1</translation>
+        </message>
+        <message>
+            <source>option %1 is '%2'</source>
+            <translation>选项 %1 为“%2”</translation>
+        </message>
+        <message>
+            <source>no option: there is none here</source>
+            <translation>没有选项：此处没有选项</translation>
+        </message>
+        <message>
+            <source>the name of an option</source>
+            <translation>选项的名称</translation>
+        </message>
+        <message>
+            <source>there is no option '%1'</source>
+            <translation>没有选项“%1”</translation>
+        </message>
+        <message>
+            <source> or %1</source>
+            <translation> 或 %1</translation>
+        </message>
+        <message>
+            <source>Did you mean %1</source>
+            <translation>是否指 %1</translation>
+        </message>
+        <message>
+            <source>'%1' is none of the choices</source>
+            <translation>“%1”不在可选值中</translation>
+        </message>
+        <message>
+            <source>Set the environment variable BOLE_RESOURCE_DIR to the folder 'resources' of Bole</source>
+            <translation>请将环境变量 BOLE_RESOURCE_DIR 设为 Bole 的文件夹“resources”</translation>
+        </message>
+        <message>
+            <source>a file that comes with Bole</source>
+            <translation>随 Bole 提供的文件</translation>
+        </message>
+        <message>
+            <source>there is no '%1'</source>
+            <translation>没有“%1”</translation>
+        </message>
+        <message>
+            <source>ended early: the result is not complete</source>
+            <translation>提前结束：结果不完整</translation>
+        </message>
+    </context>
+    <context>
+        <name>cloud</name>
+        <message>
+            <source>Measure the stems anew, or take the fact breast_height_m away</source>
+            <translation>请重新测定单木，或去掉附注 breast_height_m</translation>
+        </message>
+        <message>
+            <source>metres from 0.1 to 5</source>
+            <translation>0.1 至 5 的米数</translation>
+        </message>
+        <message>
+            <source>the stem table says "%1" for its breast height</source>
+            <translation>单木表给出的胸高为“%1”</translation>
+        </message>
+        <message>
+            <source>15 numbers</source>
+            <translation>15 个数</translation>
+        </message>
+        <message>
+            <source>Run the stage survey.georeference again</source>
+            <translation>请重新运行步骤 survey.georeference</translation>
+        </message>
+        <message>
+            <source>the data say '%1' for '%2'</source>
+            <translation>数据中“%2”为“%1”</translation>
+        </message>
+        <message>
+            <source>a matrix that keeps lengths</source>
+            <translation>保持长度的矩阵</translation>
+        </message>
+        <message>
+            <source>the place of the axes ('%1') is no turn and shift</source>
+            <translation>坐标轴的位置（“%1”）不是旋转加平移</translation>
+        </message>
+        <message>
+            <source>only_free is %1</source>
+            <translation>only_free 为 %1</translation>
+        </message>
+        <message>
+            <source>true or false</source>
+            <translation>true 或 false 之一</translation>
+        </message>
+        <message>
+            <source>only_tree and only_free are both given</source>
+            <translation>同时给出了 only_tree 和 only_free</translation>
+        </message>
+        <message>
+            <source>points of one tree, or of none</source>
+            <translation>一株树的点，或不属于任何树的点</translation>
+        </message>
+        <message>
+            <source>at most %1</source>
+            <translation>至多 %1 个</translation>
+        </message>
+        <message>
+            <source>outline has %1 places</source>
+            <translation>轮廓有 %1 个位置</translation>
+        </message>
+        <message>
+            <source>path has %1 places</source>
+            <translation>路径有 %1 个位置</translation>
+        </message>
+        <message>
+            <source>within has %1 places</source>
+            <translation>within 有 %1 个位置</translation>
+        </message>
+        <message>
+            <source>[least, most] in metres</source>
+            <translation>以米计的 [最小, 最大]</translation>
+        </message>
+        <message>
+            <source>depth_m is %1</source>
+            <translation>depth_m 为 %1</translation>
+        </message>
+        <message>
+            <source>an outline around points</source>
+            <translation>围住点的轮廓</translation>
+        </message>
+        <message>
+            <source>the corners of the outline lie on one line</source>
+            <translation>轮廓的角点在一条直线上</translation>
+        </message>
+        <message>
+            <source>Draw it again</source>
+            <translation>请重新绘制</translation>
+        </message>
+        <message>
+            <source>sides that do not meet</source>
+            <translation>互不相交的边</translation>
+        </message>
+        <message>
+            <source>the outline crosses itself</source>
+            <translation>轮廓自相交</translation>
+        </message>
+        <message>
+            <source>%1 has %2</source>
+            <translation>%1 有 %2</translation>
+        </message>
+        <message>
+            <source>[x, y, z] in metres</source>
+            <translation>以米计的 [x, y, z]</translation>
+        </message>
+        <message>
+            <source>outline (with eye and depth_m where needed), or centre and size_m (and turn_deg), or path and radius_m</source>
+            <translation>outline（需要时带 eye 和 depth_m），或 centre 和 size_m（以及 turn_deg），或 path 和 radius_m</translation>
+        </message>
+        <message>
+            <source>the edit does not say which points</source>
+            <translation>编辑没有指明哪些点</translation>
+        </message>
+        <message>
+            <source>its lower corner first, in x, y and z</source>
+            <translation>先给出 x、y 和 z 较小的角点</translation>
+        </message>
+        <message>
+            <source>within ends before it begins</source>
+            <translation>within 的终点在起点之前</translation>
+        </message>
+        <message>
+            <source>nothing of the right kind is connected to the input '%1'</source>
+            <translation>输入“%1”没有连接合适类型的内容</translation>
+        </message>
+        <message>
+            <source>the output of an earlier stage</source>
+            <translation>前面步骤的输出</translation>
+        </message>
+        <message>
+            <source>"action": one of %1</source>
+            <translation>"action"：%1 之一</translation>
+        </message>
+        <message>
+            <source>no known action in %1</source>
+            <translation>%1 中没有已知的操作</translation>
+        </message>
+        <message>
+            <source>%1 without %2</source>
+            <translation>%1 缺少 %2</translation>
+        </message>
+        <message>
+            <source>%1 does not take '%2'</source>
+            <translation>%1 不接受“%2”</translation>
+        </message>
+        <message>
+            <source>only what the action uses</source>
+            <translation>只给出该操作所用的内容</translation>
+        </message>
+        <message>
+            <source>%1 is %2</source>
+            <translation>%1 为 %2</translation>
+        </message>
+        <message>
+            <source>a position [x, y] in metres</source>
+            <translation>以米计的位置 [x, y]</translation>
+        </message>
+        <message>
+            <source>a list of at least %1</source>
+            <translation>至少 %1 项的列表</translation>
+        </message>
+        <message>
+            <source>a text</source>
+            <translation>文本</translation>
+        </message>
+        <message>
+            <source>a JSON list of edits</source>
+            <translation>编辑的 JSON 列表</translation>
+        </message>
+        <message>
+            <source>the edits are no JSON</source>
+            <translation>编辑不是 JSON</translation>
+        </message>
+        <message>
+            <source>the edits are no list</source>
+            <translation>编辑不是列表</translation>
+        </message>
+        <message>
+            <source>a file with a JSON list of edits</source>
+            <translation>含编辑的 JSON 列表的文件</translation>
+        </message>
+        <message>
+            <source>cannot read %1</source>
+            <translation>无法读取 %1</translation>
+        </message>
+        <message>
+            <source>Looking at the cloud</source>
+            <translation>查看点云</translation>
+        </message>
+        <message>
+            <source>Set the option that stands for this fact, or correct the data</source>
+            <translation>请设置代表该附注的选项，或更正数据</translation>
+        </message>
+        <message>
+            <source>given or estimated</source>
+            <translation>给定的或估计的</translation>
+        </message>
+        <message>
+            <source>the facts of the file are damaged (no JSON object) and were left out</source>
+            <translation>文件中的附注已损坏（不是 JSON 对象），已舍去</translation>
+        </message>
+        <message>
+            <source>the fact '%1' of the file is no text and was left out</source>
+            <translation>文件中的附注“%1”不是文本，已舍去</translation>
+        </message>
+        <message>
+            <source>the fact '%1' of the file was left out: %2</source>
+            <translation>文件中的附注“%1”已舍去：%2</translation>
+        </message>
+        <message>
+            <source>%1 GB of columns stay in memory: no folder for temporary files has room for them. Free room on the disk, or set TMPDIR to a folder that has it</source>
+            <translation>%1 GB 的列留在内存中：没有临时文件夹容得下它们。请腾出磁盘空间，或将 TMPDIR 设为有空间的文件夹</translation>
+        </message>
+        <message>
+            <source>a table without '%1' in its facts</source>
+            <translation>附注中没有“%1”的表</translation>
+        </message>
+        <message>
+            <source>the plot of a stage survey.plot</source>
+            <translation>步骤 survey.plot 给出的样地</translation>
+        </message>
+        <message>
+            <source>a number</source>
+            <translation>数</translation>
+        </message>
+        <message>
+            <source>the fact '%1' of the plot is '%2'</source>
+            <translation>样地的附注“%1”为“%2”</translation>
+        </message>
+        <message>
+            <source>vertex %1 of the plot boundary has no position</source>
+            <translation>样地边界的第 %1 个顶点没有位置</translation>
+        </message>
+        <message>
+            <source>x_m and y_m in every row</source>
+            <translation>每行都有 x_m 和 y_m</translation>
+        </message>
+        <message>
+            <source>a plot boundary of %1 vertices that encloses nothing</source>
+            <translation>%1 个顶点的样地边界没有围住任何区域</translation>
+        </message>
+        <message>
+            <source>at least three that do not lie on one line</source>
+            <translation>至少三个，且不在一条直线上</translation>
+        </message>
+        <message>
+            <source>the plot boundary crosses itself</source>
+            <translation>样地边界自相交</translation>
+        </message>
+        <message>
+            <source>vertices in order around the plot</source>
+            <translation>沿样地依次排列的顶点</translation>
+        </message>
+        <message>
+            <source>circle of radius %1 m</source>
+            <translation>半径 %1 m 的圆</translation>
+        </message>
+        <message>
+            <source>polygon of %1 vertices</source>
+            <translation>%1 个顶点的多边形</translation>
+        </message>
+        <message>
+            <source>no boundary</source>
+            <translation>没有边界</translation>
+        </message>
+        <message>
+            <source>axes '%1'</source>
+            <translation>坐标轴“%1”</translation>
+        </message>
+        <message>
+            <source>unknown, sensor, map, plot or global</source>
+            <translation>unknown、sensor、map、plot 或 global</translation>
+        </message>
+        <message>
+            <source>It has: %1</source>
+            <translation>现有：%1</translation>
+        </message>
+        <message>
+            <source>It has: none</source>
+            <translation>现有：无</translation>
+        </message>
+        <message>
+            <source>one of that name</source>
+            <translation>该名称的数组</translation>
+        </message>
+        <message>
+            <source>the cloud has no array '%1'</source>
+            <translation>点云没有数组“%1”</translation>
+        </message>
+        <message>
+            <source>%1, one per point</source>
+            <translation>%1 个，每点一个</translation>
+        </message>
+        <message>
+            <source>array '%1' has %2 values</source>
+            <translation>数组“%1”有 %2 个值</translation>
+        </message>
+        <message>
+            <source>another type</source>
+            <translation>另一类型</translation>
+        </message>
+        <message>
+            <source>array '%1' has type %2</source>
+            <translation>数组“%1”的类型为 %2</translation>
+        </message>
+        <message>
+            <source>table column '%1' has %2 rows</source>
+            <translation>表的列“%1”有 %2 行</translation>
+        </message>
+        <message>
+            <source>the table has no column '%1'</source>
+            <translation>表没有列“%1”</translation>
+        </message>
+        <message>
+            <source>column '%1' holds text</source>
+            <translation>列“%1”为文本</translation>
+        </message>
+        <message>
+            <source>column '%1' does not hold whole numbers</source>
+            <translation>列“%1”不是整数</translation>
+        </message>
+        <message>
+            <source>whole numbers</source>
+            <translation>整数</translation>
+        </message>
+        <message>
+            <source>column '%1' holds numbers</source>
+            <translation>列“%1”为数</translation>
+        </message>
+        <message>
+            <source>at least 2</source>
+            <translation>至少 2 个</translation>
+        </message>
+        <message>
+            <source>the trajectory has %1 poses</source>
+            <translation>轨迹有 %1 个位姿</translation>
+        </message>
+        <message>
+            <source>Check that the trajectory and the scan use the same clock</source>
+            <translation>请检查轨迹和扫描是否使用同一时钟</translation>
+        </message>
+        <message>
+            <source>a time from %1 to %2 s</source>
+            <translation>%1 至 %2 s 之间的时间</translation>
+        </message>
+        <message>
+            <source>no pose near time %1 s</source>
+            <translation>时间 %1 s 附近没有位姿</translation>
+        </message>
+    </context>
+    <context>
+        <name>documents</name>
+        <message>
+            <source>a pipeline document (JSON), or one that comes with Bole: %1</source>
+            <translation>处理流程文档（JSON），或随 Bole 提供的：%1</translation>
+        </message>
+        <message>
+            <source>there is no pipeline '%1'</source>
+            <translation>没有处理流程“%1”</translation>
+        </message>
+        <message>
+            <source>'%1' is a %2 (%3)</source>
+            <translation>“%1”是 %2（%3）</translation>
+        </message>
+        <message>
+            <source>To survey it: bole survey %1 --out DIR</source>
+            <translation>要调查它：bole survey %1 --out DIR</translation>
+        </message>
+        <message>
+            <source>a pipeline document (JSON)</source>
+            <translation>处理流程文档（JSON）</translation>
+        </message>
+        <message>
+            <source>'%1' is a folder without frames of a scan</source>
+            <translation>“%1”是不含扫描帧的文件夹</translation>
+        </message>
+    </context>
+    <context>
+        <name>evaluation</name>
+        <message>
+            <source>%1: the columns of its stems were taken by their headings: %2</source>
+            <translation>%1：其单木的各列按列标题识别：%2</translation>
+        </message>
+        <message>
+            <source>%1: the columns of its reference were taken by their headings: %2</source>
+            <translation>%1：其参照数据的各列按列标题识别：%2</translation>
+        </message>
+        <message>
+            <source>%1: %2 of %3 trees agree with the reference; its figures mean nothing and are not pooled; %4</source>
+            <translation>%1：%3 株中有 %2 株与参照一致；其数值没有意义，不参与合并；%4</translation>
+        </message>
+        <message>
+            <source>%1 and %2: %3 of %4 stems agree; %5</source>
+            <translation>%1 与 %2：%4 株中有 %3 株一致；%5</translation>
+        </message>
+        <message>
+            <source>%1, stems from %2 cm</source>
+            <translation>%1，单木自 %2 cm 起</translation>
+        </message>
+        <message>
+            <source>%1 takes the boundary of %2 (%3)</source>
+            <translation>%1 采用 %2 的边界（%3）</translation>
+        </message>
+        <message>
+            <source>%1 and %2 are of one plot and count other trees (%3; %4): their figures are not of the same trees</source>
+            <translation>%1 与 %2 属于同一样地，但计入的树木不同（%3；%4）：两者的数值不是同一批树木的</translation>
+        </message>
+        <message>
+            <source>%1 and %2</source>
+            <translation>%1 和 %2</translation>
+        </message>
+        <message>
+            <source>the reference has %1 poses</source>
+            <translation>参照有 %1 个位姿</translation>
+        </message>
+        <message>
+            <source>names of the plants</source>
+            <translation>植株的名称</translation>
+        </message>
+        <message>
+            <source>the estimated table has %1 plants and no column plant_id</source>
+            <translation>估计表有 %1 株植株而没有列 plant_id</translation>
+        </message>
+        <message>
+            <source>the reference table has %1 plants and no column plant_id</source>
+            <translation>参照表有 %1 株植株而没有列 plant_id</translation>
+        </message>
+        <message>
+            <source>every plant once</source>
+            <translation>每株植株一次</translation>
+        </message>
+        <message>
+            <source>the estimated table has the plant '%1' twice</source>
+            <translation>估计表中植株“%1”出现两次</translation>
+        </message>
+        <message>
+            <source>the reference table has the plant '%1' twice</source>
+            <translation>参照表中植株“%1”出现两次</translation>
+        </message>
+        <message>
+            <source>first estimated: '%1', first reference: '%2'</source>
+            <translation>估计表的第一个：“%1”，参照表的第一个：“%2”</translation>
+        </message>
+        <message>
+            <source>no plant_id is in both tables</source>
+            <translation>没有同时在两个表中的 plant_id</translation>
+        </message>
+        <message>
+            <source>the same names in both</source>
+            <translation>两者名称相同</translation>
+        </message>
+        <message>
+            <source>height_mm and the like</source>
+            <translation>height_mm 之类的列</translation>
+        </message>
+        <message>
+            <source>the tables share no column of numbers with values</source>
+            <translation>两个表没有共同的有值的数值列</translation>
+        </message>
+        <message>
+            <source>Compare rows.csv with rows.csv, or plants.csv with plants.csv</source>
+            <translation>请将 rows.csv 与 rows.csv 比较，或将 plants.csv 与 plants.csv 比较</translation>
+        </message>
+        <message>
+            <source>both rows (row_id, x0_m, y0_m, x1_m, y1_m) or both plants (row_id, x_m, y_m)</source>
+            <translation>同为行（row_id, x0_m, y0_m, x1_m, y1_m）或同为植株（row_id, x_m, y_m）</translation>
+        </message>
+        <message>
+            <source>the two tables are not of one kind</source>
+            <translation>两个表的类型不同</translation>
+        </message>
+        <message>
+            <source>Name them: evaluate.reference_columns="x_m=E, y_m=N, dbh_cm=DIAM:mm" (on the command line --reference-columns)</source>
+            <translation>请指定：evaluate.reference_columns="x_m=E, y_m=N, dbh_cm=DIAM:mm"（命令行为 --reference-columns）</translation>
+        </message>
+        <message>
+            <source>the columns of the reference are %1</source>
+            <translation>参照的列为 %1</translation>
+        </message>
+        <message>
+            <source>x_m, y_m (or azimuth_deg, distance_m) and dbh_cm, or headings that say the same</source>
+            <translation>x_m、y_m（或 azimuth_deg、distance_m）和 dbh_cm，或同义的标题</translation>
+        </message>
+        <message>
+            <source>stems</source>
+            <translation>单木表</translation>
+        </message>
+        <message>
+            <source>reference</source>
+            <translation>参照表</translation>
+        </message>
+        <message>
+            <source>%1 to %2 s</source>
+            <translation>%1 至 %2 s</translation>
+        </message>
+        <message>
+            <source>%1 of %2 poses have a reference at their time (estimate %3, reference %4)</source>
+            <translation>%2 个位姿中有 %1 个在其时刻有参照（估计 %3，参照 %4）</translation>
+        </message>
+        <message>
+            <source>Check that both trajectories use the same clock, or raise max_time_gap</source>
+            <translation>请检查两条轨迹是否使用同一时钟，或增大 max_time_gap</translation>
+        </message>
+        <message>
+            <source>at least 3</source>
+            <translation>至少 3 个</translation>
+        </message>
+        <message>
+            <source>option columns: '%1'</source>
+            <translation>选项 columns：“%1”</translation>
+        </message>
+        <message>
+            <source>option rows: '%1'</source>
+            <translation>选项 rows：“%1”</translation>
+        </message>
+        <message>
+            <source>rules such as dbh_cm=DIAM:mm</source>
+            <translation>dbh_cm=DIAM:mm 之类的规则</translation>
+        </message>
+        <message>
+            <source>rules such as plot=3</source>
+            <translation>plot=3 之类的规则</translation>
+        </message>
+        <message>
+            <source>one of: %1</source>
+            <translation>下列之一：%1</translation>
+        </message>
+        <message>
+            <source>there is no column '%1'</source>
+            <translation>没有列“%1”</translation>
+        </message>
+        <message>
+            <source>mm, cm, dm, m, in or ft for lengths, deg or gon for angles, and a name that ends in its unit</source>
+            <translation>长度用 mm、cm、dm、m、in 或 ft，角度用 deg 或 gon，且名称以其单位结尾</translation>
+        </message>
+        <message>
+            <source>unit '%1' for column '%2'</source>
+            <translation>列“%2”的单位“%1”</translation>
+        </message>
+        <message>
+            <source>a value that the column has</source>
+            <translation>该列具有的值</translation>
+        </message>
+        <message>
+            <source>no row has %1</source>
+            <translation>没有行满足 %1</translation>
+        </message>
+        <message>
+            <source>%1 runs of %2 plots, %3 with a reference, %4 pairs</source>
+            <translation>%2 块样地的 %1 次运行，其中 %3 次有参照，共 %4 对</translation>
+        </message>
+        <message>
+            <source>there is nothing to compare: no run has a reference, and no two runs are of one plot. Give reference_trees.file, or runs of the same plot</source>
+            <translation>没有可比较的内容：没有一次运行有参照，也没有两次运行属于同一样地。请给出 reference_trees.file，或给出同一样地的多次运行</translation>
+        </message>
+        <message>
+            <source>no run has a reference: the figures are differences between runs, and no errors</source>
+            <translation>没有一次运行有参照：数值是各次运行之间的差异，不是误差</translation>
+        </message>
+        <message>
+            <source>%1 of %2 runs have no reference and are in no table of errors</source>
+            <translation>%2 次运行中有 %1 次没有参照，不列入任何误差表</translation>
+        </message>
+        <message>
+            <source>one run is compared with its reference only: no other is named</source>
+            <translation>只有一次运行与其参照比较：没有指定其他运行</translation>
+        </message>
+        <message>
+            <source>no row of the %1 has a position</source>
+            <translation>%1没有一行有位置</translation>
+        </message>
+        <message>
+            <source>x_m and y_m</source>
+            <translation>列 x_m 和 y_m</translation>
+        </message>
+        <message>
+            <source>%1 of %2 rows of the %3 have no position and are left out</source>
+            <translation>%3的 %2 行中有 %1 行没有位置，已舍去</translation>
+        </message>
+        <message>
+            <source>centimetres</source>
+            <translation>厘米</translation>
+        </message>
+        <message>
+            <source>centimetres, those of the other list in inches</source>
+            <translation>厘米（另一表以英寸计）</translation>
+        </message>
+        <message>
+            <source>centimetres, those of the other list in millimetres</source>
+            <translation>厘米（另一表以毫米计）</translation>
+        </message>
+        <message>
+            <source>feet</source>
+            <translation>英尺</translation>
+        </message>
+        <message>
+            <source>inches</source>
+            <translation>英寸</translation>
+        </message>
+        <message>
+            <source>metres</source>
+            <translation>米</translation>
+        </message>
+        <message>
+            <source>metres, the other list in centimetres</source>
+            <translation>米（另一表以厘米计）</translation>
+        </message>
+        <message>
+            <source>metres, the other list in feet</source>
+            <translation>米（另一表以英尺计）</translation>
+        </message>
+        <message>
+            <source>millimetres</source>
+            <translation>毫米</translation>
+        </message>
+        <message>
+            <source>their places agree, and the diameters look like %1. Name the unit: dbh_cm=COLUMN:UNIT in the columns of the list</source>
+            <translation>位置一致，直径看来以%1为单位。请注明单位：在该表的列设置中写 dbh_cm=COLUMN:UNIT</translation>
+        </message>
+        <message>
+            <source>their places agree, their diameters do not (dbh_gate): are both at breast height, in cm?</source>
+            <translation>位置一致，但直径不一致（dbh_gate）：两者都是胸高处的直径，单位都是 cm 吗？</translation>
+        </message>
+        <message>
+            <source>their places agree when multiplied by %1: they look like %2</source>
+            <translation>乘以 %1 后位置一致：看来以%2为单位</translation>
+        </message>
+        <message>
+            <source>their places agree with x and y swapped</source>
+            <translation>交换 x 和 y 后位置一致</translation>
+        </message>
+        <message>
+            <source>they are in other axes: turned by %1 deg and moved by (%2, %3) m, %4 trees agree. align_stems=search compares them so</source>
+            <translation>两者的坐标轴不同：旋转 %1 度并平移 (%2, %3) m 后，%4 株一致。align_stems=search 按此比较</translation>
+        </message>
+        <message>
+            <source>neither another unit nor another place of the axes brings them together: they are of different plots</source>
+            <translation>换用其他单位或移动坐标轴都不能使两者一致：它们属于不同的样地</translation>
+        </message>
+        <message>
+            <source>the columns of the reference were taken by their headings: %1. Set evaluate.reference_columns where that is wrong</source>
+            <translation>参照数据的各列按列标题识别：%1。如有误，请设置 evaluate.reference_columns</translation>
+        </message>
+        <message>
+            <source>the stems were compared with no reference: %1</source>
+            <translation>单木没有与参照比较：%1</translation>
+        </message>
+        <message>
+            <source>the paper has no figures of the preset %1: those of its improved LOAM are listed. Set evaluate.published_system for others</source>
+            <translation>论文中没有预设 %1 的数值：列出的是其改进型 LOAM 的数值。要列出其他系统，请设置 evaluate.published_system</translation>
+        </message>
+        <message>
+            <source>the preset that made the trajectory is not known: those of its improved LOAM are listed. Set evaluate.published_system for others</source>
+            <translation>生成该轨迹的预设未知：列出的是论文中改进型 LOAM 的数值。要列出其他系统，请设置 evaluate.published_system</translation>
+        </message>
+        <message>
+            <source>no stem matches a reference tree: are both in the same axes? align_stems and match_distance may help</source>
+            <translation>没有单木与参照树木匹配：两者的坐标轴相同吗？可尝试 align_stems 和 match_distance</translation>
+        </message>
+        <message>
+            <source>%1 of %2 trees agree with the reference: its figures mean nothing; %3</source>
+            <translation>%2 株中有 %1 株与参照一致：其数值没有意义；%3</translation>
+        </message>
+        <message>
+            <source>Connect the input 'trajectory'</source>
+            <translation>请连接输入“trajectory”</translation>
+        </message>
+        <message>
+            <source>a reference trajectory is connected but no trajectory</source>
+            <translation>连接了参照轨迹而没有连接轨迹</translation>
+        </message>
+        <message>
+            <source>%1 poses compared</source>
+            <translation>比较了 %1 个位姿</translation>
+        </message>
+        <message>
+            <source>; %1 poses compared</source>
+            <translation>；比较了 %1 个位姿</translation>
+        </message>
+        <message>
+            <source>%1 stems matched, %2 missed, %3 false</source>
+            <translation>匹配 %1 株，漏检 %2 株，误检 %3 株</translation>
+        </message>
+        <message>
+            <source>%1 stems matched, %2 missed, %3 false%4</source>
+            <translation>匹配 %1 株，漏检 %2 株，误检 %3 株%4</translation>
+        </message>
+        <message>
+            <source>nothing to compare with: no reference is connected</source>
+            <translation>没有可比较的对象：未连接参照</translation>
+        </message>
+        <message>
+            <source>the reference could not be read</source>
+            <translation>无法读取参照</translation>
+        </message>
+        <message>
+            <source>the reference could not be read%1</source>
+            <translation>无法读取参照%1</translation>
+        </message>
+        <message>
+            <source>no row matches a reference row: are both in the same axes? Place the frame (place.x, place.y, place.yaw, or marks), or raise match_distance</source>
+            <translation>没有行与参照行匹配：两者的坐标轴相同吗？请放置坐标框架（place.x、place.y、place.yaw 或标志），或增大 match_distance</translation>
+        </message>
+        <message>
+            <source>%1 rows matched, %2 missed, %3 false</source>
+            <translation>匹配 %1 行，漏检 %2 行，误检 %3 行</translation>
+        </message>
+    </context>
+    <context>
+        <name>geo</name>
+        <message>
+            <source>Place another mark</source>
+            <translation>请再设一个标志</translation>
+        </message>
+        <message>
+            <source>a pose from %1 marks</source>
+            <translation>由 %1 个标志确定的位姿</translation>
+        </message>
+        <message>
+            <source>finite coordinates, and a distance from the sensor</source>
+            <translation>有限的坐标，且与传感器有距离</translation>
+        </message>
+        <message>
+            <source>mark %1 has no place, or is seen in the sensor itself</source>
+            <translation>标志 %1 没有位置，或位于传感器处</translation>
+        </message>
+        <message>
+            <source>a standard deviation of %1</source>
+            <translation>标准差为 %1</translation>
+        </message>
+        <message>
+            <source>positive standard deviations</source>
+            <translation>正的标准差</translation>
+        </message>
+        <message>
+            <source>Move one mark aside</source>
+            <translation>请将一个标志移到旁边</translation>
+        </message>
+        <message>
+            <source>marks in different directions</source>
+            <translation>方向不同的标志</translation>
+        </message>
+        <message>
+            <source>the marks stand above one another and carry no heading</source>
+            <translation>标志上下重叠，不能给出航向</translation>
+        </message>
+        <message>
+            <source>no zone is given, and the table has no longitude to derive it from</source>
+            <translation>没有给出投影带，表中也没有可据以推算的经度</translation>
+        </message>
+        <message>
+            <source>the option zone</source>
+            <translation>选项 zone</translation>
+        </message>
+        <message>
+            <source>%1 points have metres and no degrees: unchanged</source>
+            <translation>%1 个点只有米制坐标，没有经纬度：保持不变</translation>
+        </message>
+        <message>
+            <source>x_m and y_m of the table are replaced by those of its latitude and longitude</source>
+            <translation>表中的 x_m 和 y_m 由其纬度和经度换算的值取代</translation>
+        </message>
+        <message>
+            <source>%1 points, central meridian %2 deg, %3</source>
+            <translation>%1 个点，中央子午线 %2 度，%3</translation>
+        </message>
+        <message>
+            <source>Look the code up at epsg.org, or copy the WKT from your GIS</source>
+            <translation>请在 epsg.org 查找代码，或从 GIS 软件复制 WKT</translation>
+        </message>
+        <message>
+            <source>a projected system in metres, by EPSG code or as WKT, for instance EPSG:25832</source>
+            <translation>以米为单位的投影坐标系，用 EPSG 代码或 WKT 给出，例如 EPSG:25832</translation>
+        </message>
+        <message>
+            <source>the coordinate reference system '%1' %2</source>
+            <translation>坐标参考系“%1”%2</translation>
+        </message>
+        <message>
+            <source>is empty</source>
+            <translation>为空</translation>
+        </message>
+        <message>
+            <source>is not known</source>
+            <translation>未知</translation>
+        </message>
+        <message>
+            <source>has degrees</source>
+            <translation>以度为单位</translation>
+        </message>
+        <message>
+            <source>is no projected system</source>
+            <translation>不是投影坐标系</translation>
+        </message>
+        <message>
+            <source>has the unit '%1' (%2 m)</source>
+            <translation>的单位为“%1”（%2 m）</translation>
+        </message>
+        <message>
+            <source>has the unit '?' (%1 m)</source>
+            <translation>的单位为“?”（%1 m）</translation>
+        </message>
+        <message>
+            <source>has no datum</source>
+            <translation>没有基准</translation>
+        </message>
+        <message>
+            <source>has a projection that PROJ does not compute</source>
+            <translation>的投影 PROJ 不能计算</translation>
+        </message>
+        <message>
+            <source>Are latitude and longitude swapped?</source>
+            <translation>纬度和经度是否弄反了？</translation>
+        </message>
+        <message>
+            <source>a position where the system is used</source>
+            <translation>该坐标系适用范围内的位置</translation>
+        </message>
+        <message>
+            <source>latitude %1, longitude %2 lies outside %3</source>
+            <translation>纬度 %1、经度 %2 在 %3 之外</translation>
+        </message>
+        <message>
+            <source>coordinates of that system</source>
+            <translation>该坐标系的坐标</translation>
+        </message>
+        <message>
+            <source>easting %1 m, northing %2 m lies outside %3</source>
+            <translation>东坐标 %1 m、北坐标 %2 m 在 %3 之外</translation>
+        </message>
+        <message>
+            <source>a resection from %1 ranges</source>
+            <translation>由 %1 个距离作后方交会</translation>
+        </message>
+        <message>
+            <source>at least 3 marks</source>
+            <translation>至少 3 个标志</translation>
+        </message>
+        <message>
+            <source>finite positions, positive ranges and sigmas</source>
+            <translation>有限的位置，正的距离和标准差</translation>
+        </message>
+        <message>
+            <source>mark %1 has position %2, range %3 m, sigma %4 m</source>
+            <translation>标志 %1 的位置为 %2，距离 %3 m，标准差 %4 m</translation>
+        </message>
+        <message>
+            <source>an approximate position, or marks that are not in one plane</source>
+            <translation>近似位置，或不在一个平面内的标志</translation>
+        </message>
+        <message>
+            <source>the ranges fit two positions alike, %1 and %2, mirrored in the plane of the marks</source>
+            <translation>距离与两个位置 %1 和 %2 同样相符，两者关于标志所在平面对称</translation>
+        </message>
+        <message>
+            <source>Raise a mark, or give the height of the sensor</source>
+            <translation>请升高一个标志，或给出传感器的高度</translation>
+        </message>
+        <message>
+            <source>Use marks in other directions</source>
+            <translation>请使用其他方向的标志</translation>
+        </message>
+        <message>
+            <source>at most %1 m</source>
+            <translation>至多 %1 m</translation>
+        </message>
+        <message>
+            <source>the position has a standard error of %1 m along %2</source>
+            <translation>位置沿 %2 方向的标准误差为 %1 m</translation>
+        </message>
+        <message>
+            <source>the position has a standard error of %1 m along %2: the sensor lies in the plane of the marks, or the ranges are too short to meet</source>
+            <translation>位置沿 %2 方向的标准误差为 %1 m：传感器在标志所在平面内，或距离太短而不能相交</translation>
+        </message>
+        <message>
+            <source>the position has a standard error of any size along %1</source>
+            <translation>位置沿 %1 方向的标准误差可为任意大小</translation>
+        </message>
+        <message>
+            <source>the position has a standard error of any size along %1: the sensor lies in the plane of the marks, or the ranges are too short to meet</source>
+            <translation>位置沿 %1 方向的标准误差可为任意大小：传感器在标志所在平面内，或距离太短而不能相交</translation>
+        </message>
+        <message>
+            <source>all marks are at one place</source>
+            <translation>所有标志都在同一位置</translation>
+        </message>
+        <message>
+            <source>marks in different directions from the sensor</source>
+            <translation>从传感器看方向不同的标志</translation>
+        </message>
+        <message>
+            <source>Move one mark off the line</source>
+            <translation>请将一个标志移开直线</translation>
+        </message>
+        <message>
+            <source>marks that span a triangle</source>
+            <translation>构成三角形的标志</translation>
+        </message>
+        <message>
+            <source>the marks lie on a line: the sensor may be anywhere on a circle about it</source>
+            <translation>标志在一条直线上：传感器可能在围绕它的圆上的任何位置</translation>
+        </message>
+        <message>
+            <source>Check which range belongs to which mark</source>
+            <translation>请检查距离与标志是否对应</translation>
+        </message>
+        <message>
+            <source>the ranges meet nowhere: the worst is off by %1 times its standard deviation</source>
+            <translation>各距离不相交于一点：最差的偏差为其标准差的 %1 倍</translation>
+        </message>
+        <message>
+            <source>a positive standard deviation</source>
+            <translation>正的标准差</translation>
+        </message>
+        <message>
+            <source>sigma %1 m</source>
+            <translation>标准差 %1 m</translation>
+        </message>
+        <message>
+            <source>Was another mark taken?</source>
+            <translation>是否取成了另一个标志？</translation>
+        </message>
+        <message>
+            <source>direction %1 is %2 m long as seen and %3 m as known</source>
+            <translation>方向 %1 的观测长度为 %2 m，已知长度为 %3 m</translation>
+        </message>
+        <message>
+            <source>lengths that agree to %1 m</source>
+            <translation>相差不超过 %1 m 的长度</translation>
+        </message>
+        <message>
+            <source>a heading from %1 directions that are as short as their error</source>
+            <translation>由 %1 个短如其误差的方向确定的航向</translation>
+        </message>
+        <message>
+            <source>at least one direction longer than that</source>
+            <translation>至少一个更长的方向</translation>
+        </message>
+        <message>
+            <source>a flattened ellipsoid such as GRS80</source>
+            <translation>GRS80 之类的扁椭球</translation>
+        </message>
+        <message>
+            <source>ellipsoid '%1' has semi-major axis %2 m and inverse flattening %3</source>
+            <translation>椭球“%1”的长半轴为 %2 m，扁率倒数为 %3</translation>
+        </message>
+        <message>
+            <source>a plane with central meridian %1 deg, latitude of origin %2 deg, scale %3, false easting %4 m, false northing %5 m</source>
+            <translation>中央子午线 %1 度、起始纬度 %2 度、比例 %3、东偏移 %4 m、北偏移 %5 m 的平面</translation>
+        </message>
+        <message>
+            <source>finite values, a positive scale, a meridian from -360 to 360 deg and a latitude from -90 to 90</source>
+            <translation>有限的值，正的比例，-360 至 360 度的子午线和 -90 至 90 的纬度</translation>
+        </message>
+        <message>
+            <source>Choose the zone that the point lies in</source>
+            <translation>请选择点所在的投影带</translation>
+        </message>
+        <message>
+            <source>at most %1 deg</source>
+            <translation>至多 %1 度</translation>
+        </message>
+        <message>
+            <source>longitude %1 deg is %2 deg from the central meridian %3 deg</source>
+            <translation>经度 %1 度距中央子午线 %3 度有 %2 度</translation>
+        </message>
+        <message>
+            <source>a latitude from -90 to 90 deg and finite numbers</source>
+            <translation>-90 至 90 度的纬度和有限的数</translation>
+        </message>
+        <message>
+            <source>latitude %1, longitude %2, height %3</source>
+            <translation>纬度 %1，经度 %2，高度 %3</translation>
+        </message>
+        <message>
+            <source>Gauss-Krueger zones of %1 deg</source>
+            <translation>%1 度的高斯-克吕格投影带</translation>
+        </message>
+        <message>
+            <source>zones of 3 or 6 deg</source>
+            <translation>3 度或 6 度带</translation>
+        </message>
+        <message>
+            <source>a longitude that is not a number</source>
+            <translation>经度不是数</translation>
+        </message>
+        <message>
+            <source>3-degree zones 1 to 120 or 6-degree zones 1 to 60</source>
+            <translation>3 度带的 1 至 120 带或 6 度带的 1 至 60 带</translation>
+        </message>
+        <message>
+            <source>Gauss-Krueger zone %1 of %2 deg</source>
+            <translation>%2 度的高斯-克吕格第 %1 带</translation>
+        </message>
+        <message>
+            <source>Check the false easting and whether the zone number stands before the easting</source>
+            <translation>请检查东偏移，以及东坐标前是否带有带号</translation>
+        </message>
+        <message>
+            <source>an easting near %1 m</source>
+            <translation>%1 m 附近的东坐标</translation>
+        </message>
+        <message>
+            <source>easting %1 m, northing %2 m lies outside the plane</source>
+            <translation>东坐标 %1 m、北坐标 %2 m 在平面之外</translation>
+        </message>
+        <message>
+            <source>-80 to 84 deg</source>
+            <translation>-80 至 84 度</translation>
+        </message>
+        <message>
+            <source>latitude %1 deg lies outside UTM</source>
+            <translation>纬度 %1 度在 UTM 范围之外</translation>
+        </message>
+        <message>
+            <source>1 to 60, or 0 for the standard zone</source>
+            <translation>1 至 60，标准带为 0</translation>
+        </message>
+        <message>
+            <source>UTM zone %1</source>
+            <translation>UTM 第 %1 带</translation>
+        </message>
+        <message>
+            <source>a zone near the point</source>
+            <translation>点附近的投影带</translation>
+        </message>
+        <message>
+            <source>latitude %1, longitude %2 in UTM zone %3: %4</source>
+            <translation>UTM 第 %3 带中的纬度 %1、经度 %2：%4</translation>
+        </message>
+        <message>
+            <source>UTM zone %1 N, easting %2 m, northing %3 m: %4</source>
+            <translation>UTM 第 %1 带北半球，东坐标 %2 m，北坐标 %3 m：%4</translation>
+        </message>
+        <message>
+            <source>UTM zone %1 S, easting %2 m, northing %3 m: %4</source>
+            <translation>UTM 第 %1 带南半球，东坐标 %2 m，北坐标 %3 m：%4</translation>
+        </message>
+        <message>
+            <source>coordinates of that zone</source>
+            <translation>该投影带的坐标</translation>
+        </message>
+        <message>
+            <source>1 to 60</source>
+            <translation>1 至 60</translation>
+        </message>
+    </context>
+    <context>
+        <name>ground</name>
+        <message>
+            <source>Undo the edits of points</source>
+            <translation>请撤销点编辑</translation>
+        </message>
+        <message>
+            <source>all %1 points are given to noise</source>
+            <translation>全部 %1 个点都归为噪声</translation>
+        </message>
+        <message>
+            <source>points of ground and trees</source>
+            <translation>地面和树木的点</translation>
+        </message>
+        <message>
+            <source>the cloud says so (height_reference)</source>
+            <translation>点云如此说明（height_reference）</translation>
+        </message>
+        <message>
+            <source>its ground points lie at z = 0 exactly</source>
+            <translation>其地面点正好位于 z = 0</translation>
+        </message>
+        <message>
+            <source>its ground is level all over and ends at z = 0</source>
+            <translation>其地面处处水平，终止于 z = 0</translation>
+        </message>
+        <message>
+            <source>%1 of %2 upright structures begin within %3 m of z = 0</source>
+            <translation>%2 个直立结构中有 %1 个从 z = 0 的 %3 m 以内开始</translation>
+        </message>
+        <message>
+            <source>Terrain model of %1 m2 in cells of %2 m, %3 % of them filled; %4 ground points scatter by %5 cm.</source>
+            <translation>地形模型面积 %1 m2，格网 %2 m，其中 %3 % 为填补；%4 个地面点的离散为 %5 cm。</translation>
+        </message>
+        <message>
+            <source>%1 points have coordinates that are not finite: they got no height</source>
+            <translation>%1 个点的坐标不是有限数：没有高度</translation>
+        </message>
+        <message>
+            <source>%1 % of the terrain model is filled: the ground was seldom seen, or cell (%2 m) is small for this density of points</source>
+            <translation>地形模型有 %1 % 为填补：很少看到地面，或格网 cell（%2 m）对此点密度而言太小</translation>
+        </message>
+        <message>
+            <source>Level ground at %1 m, the lowest points of the cloud.</source>
+            <translation>水平地面位于 %1 m，即点云的最低点。</translation>
+        </message>
+        <message>
+            <source>heights are counted from the lowest points, not from ground</source>
+            <translation>高度自最低点起算，而不是自地面起算</translation>
+        </message>
+        <message>
+            <source>Normalised cloud: z is the height above ground.</source>
+            <translation>已归一化的点云：z 即离地高度。</translation>
+        </message>
+        <message>
+            <source>heights are taken from the cloud as they are: %1. If z is not the height above ground, set method=tin</source>
+            <translation>高度直接取自点云：%1。如果 z 不是离地高度，请设置 method=tin</translation>
+        </message>
+        <message>
+            <source>Fitting the terrain</source>
+            <translation>拟合地形</translation>
+        </message>
+        <message>
+            <source>Raise band, or lower seed</source>
+            <translation>请增大 band，或减小 seed</translation>
+        </message>
+        <message>
+            <source>no points lie within band (%1 m) of the first ground surface</source>
+            <translation>初始地面的 band（%1 m）范围内没有点</translation>
+        </message>
+        <message>
+            <source>Filling holes</source>
+            <translation>填补空洞</translation>
+        </message>
+        <message>
+            <source>Heights above ground</source>
+            <translation>离地高度</translation>
+        </message>
+        <message>
+            <source>%1 of %2 upright structures reach further down than the ground that was seen around them: the terrain runs through their feet. Breast height is too high there by what is missing of the foot: give the cloud with its ground, or look at these stems</source>
+            <translation>%2 个直立结构中有 %1 个向下延伸到周围可见地面以下：地形从其基部中间穿过。该处胸高偏高，偏差为缺失的基部高度：请给出带地面的点云，或检查这些单木</translation>
+        </message>
+        <message>
+            <source>%1 points lie below the terrain and only %2 on it: it is not the ground. Set method=normalised if z is the height above ground, method=lowest for a tree that was cut out without ground, or give the cloud with its ground</source>
+            <translation>%1 个点位于地形以下，地形上只有 %2 个点：它不是地面。如果 z 是离地高度，请设置 method=normalised；对不带地面裁出的单株树，请设置 method=lowest；否则请给出带地面的点云</translation>
+        </message>
+        <message>
+            <source>half of the points near the terrain lie %1 cm above it or higher: litter, herbs, slash, or passes that do not meet. Breast height may be too high by as much. Compare some stems with the plot</source>
+            <translation>地形附近的点有一半高出地形 %1 cm 或更多：枯枝落叶、草本、采伐剩余物，或各次经过不重合。胸高可能偏高同样的量。请抽查几株并与样地比对</translation>
+        </message>
+        <message>
+            <source>all stems begin at z = %1 m and no ground was seen: the cloud was cut there. Set method=normalised if z is the height above ground, else give the cloud with its ground</source>
+            <translation>所有单木都从 z = %1 m 开始，且没有看到地面：点云在该处被截断。如果 z 是离地高度，请设置 method=normalised，否则请给出带地面的点云</translation>
+        </message>
+        <message>
+            <source>Finding ground</source>
+            <translation>查找地面</translation>
+        </message>
+        <message>
+            <source>Sorting points into cells</source>
+            <translation>点按格网归类</translation>
+        </message>
+        <message>
+            <source>method is normalised</source>
+            <translation>method 为 normalised</translation>
+        </message>
+        <message>
+            <source>Terrain model done</source>
+            <translation>地形模型完成</translation>
+        </message>
+        <message>
+            <source>Check the file of the terrain</source>
+            <translation>请检查地形文件</translation>
+        </message>
+        <message>
+            <source>a terrain model of the same place, in the same coordinates</source>
+            <translation>同一地点、同一坐标系的地形模型</translation>
+        </message>
+        <message>
+            <source>the terrain given lies below none of %1 points</source>
+            <translation>%1 个点中没有一个位于给定地形之上</translation>
+        </message>
+        <message>
+            <source>Heights above the terrain given, for %1 of %2 points.</source>
+            <translation>已为 %2 个点中的 %1 个给出高出地形的高度。</translation>
+        </message>
+        <message>
+            <source>at least one</source>
+            <translation>至少一个</translation>
+        </message>
+        <message>
+            <source>the cloud has %1 points, none with finite coordinates</source>
+            <translation>点云有 %1 个点，没有一个的坐标是有限数</translation>
+        </message>
+        <message>
+            <source>Crop the cloud (one stray point far away is enough to widen it) or raise cell</source>
+            <translation>请裁剪点云（一个远处的杂点就足以使其变大），或增大 cell</translation>
+        </message>
+        <message>
+            <source>at most 100 million cells</source>
+            <translation>至多 100 百万个单元</translation>
+        </message>
+        <message>
+            <source>the cloud covers %1 by %2 m: too many cells of %3 m</source>
+            <translation>点云覆盖 %1 x %2 m：%3 m 的单元太多</translation>
+        </message>
+        <message>
+            <source>Crop or thin the cloud first</source>
+            <translation>请先裁剪或抽稀点云</translation>
+        </message>
+        <message>
+            <source>fewer than 4 thousand million</source>
+            <translation>少于 4 十亿</translation>
+        </message>
+        <message>
+            <source>the cloud has %1 points</source>
+            <translation>点云有 %1 个点</translation>
+        </message>
+        <message>
+            <source>a canopy height cell of %1 m</source>
+            <translation>冠层高度的单元为 %1 m</translation>
+        </message>
+        <message>
+            <source>a positive size</source>
+            <translation>正的大小</translation>
+        </message>
+        <message>
+            <source>Raise seed or lower cell</source>
+            <translation>请增大 seed 或减小 cell</translation>
+        </message>
+        <message>
+            <source>seed is %1 m and cell is %2 m</source>
+            <translation>seed 为 %1 m，cell 为 %2 m</translation>
+        </message>
+        <message>
+            <source>seed of at least twice cell</source>
+            <translation>seed 至少为 cell 的两倍</translation>
+        </message>
+        <message>
+            <source>Check that the cloud has ground points and its z axis points up, lower seed, or set method=lowest for a tree that was cut out without ground, method=normalised where z is the height above ground already</source>
+            <translation>请检查点云是否有地面点、z 轴是否朝上，减小 seed；对不带地面裁出的单株树，请设置 method=lowest；如果 z 已是离地高度，请设置 method=normalised</translation>
+        </message>
+        <message>
+            <source>at least three, not on one line</source>
+            <translation>至少三个，且不在一条直线上</translation>
+        </message>
+        <message>
+            <source>only %1 ground points were found among %2 candidates</source>
+            <translation>%2 个候选中只找到 %1 个地面点</translation>
+        </message>
+    </context>
+    <context>
+        <name>inventory</name>
+        <message>
+            <source>Set width and length of survey.plot</source>
+            <translation>请设置 survey.plot 的 width 和 length</translation>
+        </message>
+        <message>
+            <source>a rectangle around all trees that are known</source>
+            <translation>包围所有已知树木的矩形</translation>
+        </message>
+        <message>
+            <source>the stand is no rectangle</source>
+            <translation>林分不是矩形</translation>
+        </message>
+        <message>
+            <source>Look at the place and size of the stand and at min_dbh</source>
+            <translation>请检查林分的位置和大小以及 min_dbh</translation>
+        </message>
+        <message>
+            <source>none of %1 stems is in the stand</source>
+            <translation>%1 株单木中没有一株在林分内</translation>
+        </message>
+        <message>
+            <source>trees that count</source>
+            <translation>计入的树木</translation>
+        </message>
+        <message>
+            <source>Write for instance "5 10"</source>
+            <translation>例如写成“5 10”</translation>
+        </message>
+        <message>
+            <source>numbers of metres below %1, so that a plot fits into the stand</source>
+            <translation>小于 %1 的米数，使样地能放入林分</translation>
+        </message>
+        <message>
+            <source>radii is '%1': '%2' is no radius</source>
+            <translation>radii 为“%1”：“%2”不是半径</translation>
+        </message>
+        <message>
+            <source>at least one radius in metres</source>
+            <translation>至少一个以米计的半径</translation>
+        </message>
+        <message>
+            <source>radii is empty</source>
+            <translation>radii 为空</translation>
+        </message>
+        <message>
+            <source>sampling</source>
+            <translation>抽样</translation>
+        </message>
+        <message>
+            <source>%1 plots of %2 sizes in %3 trees on %4 m2</source>
+            <translation>在 %4 m2 上的 %3 株树中取 %2 种大小的 %1 个样地</translation>
+        </message>
+        <message>
+            <source>: basal area %1</source>
+            <translation>：断面积 %1</translation>
+        </message>
+        <message>
+            <source>; %1 outside the plot</source>
+            <translation>；样地外 %1 株</translation>
+        </message>
+        <message>
+            <source>; %1 too thin</source>
+            <translation>；过细 %1 株</translation>
+        </message>
+        <message>
+            <source>%1 sound, %2 to check: basal area %3 (%4 with them)</source>
+            <translation>可靠 %1 株，待查 %2 株：断面积 %3（计入待查的为 %4）</translation>
+        </message>
+        <message>
+            <source>%1 sound, %2 to check: basal area %3 (%4 with them)%5</source>
+            <translation>可靠 %1 株，待查 %2 株：断面积 %3（计入待查的为 %4）%5</translation>
+        </message>
+        <message>
+            <source>%1 stem counts</source>
+            <translation>计入 %1 株</translation>
+        </message>
+        <message>
+            <source>%1 stem counts%2</source>
+            <translation>计入 %1 株%2</translation>
+        </message>
+        <message>
+            <source>%1 stems count</source>
+            <translation>计入 %1 株</translation>
+        </message>
+        <message>
+            <source>%1 stems count%2</source>
+            <translation>计入 %1 株%2</translation>
+        </message>
+        <message>
+            <source>%1 of the %2 stems that count are to be checked: the basal area is %3 without and %4 with them. If most have one reason, look for its cause in the cloud (registration, wind, unit, density); else look at their slices (column 'reasons' of the stem table), then accept, resize or reject them</source>
+            <translation>计入的 %2 株中有 %1 株待查：不计它们时断面积为 %3，计入时为 %4。如果多数出于同一原因，请在点云中查找其来源（配准、风、单位、密度）；否则请查看它们的横切面（单木表的“reasons”列），然后接受、改直径或拒绝</translation>
+        </message>
+        <message>
+            <source>%1 of the %2 stems that count are to be checked: the basal area is %3 without and %4 with them. Look at their slices (column 'reasons' of the stem table), then accept, resize or reject them</source>
+            <translation>计入的 %2 株中有 %1 株待查：不计它们时断面积为 %3，计入时为 %4。请查看它们的横切面（单木表的“reasons”列），然后接受、改直径或拒绝</translation>
+        </message>
+    </context>
+    <context>
+        <name>io</name>
+        <message>
+            <source>the recording does not say which sensor it is from: beam and range noise are not known. Name it with the option sensor</source>
+            <translation>记录没有说明来自哪种传感器：光束和测距噪声未知。请用选项 sensor 指定</translation>
+        </message>
+        <message>
+            <source>the points have no times: they follow from the order of the points, evenly over the time between two messages, from the stamp of the message</source>
+            <translation>点没有时间：按点的顺序推算，从消息的时间戳起，均匀分布在两条消息之间</translation>
+        </message>
+        <message>
+            <source>the points have no times: they follow from their azimuths, for a clockwise sensor that starts behind and faces forward at the stamp of the message (as in KITTI)</source>
+            <translation>点没有时间：按方位角推算，假定传感器顺时针旋转，从后方开始，在消息的时间戳时朝前（与 KITTI 相同）</translation>
+        </message>
+        <message>
+            <source>the points have %1 rings, and the sensor %2 has %3: is the option sensor right?</source>
+            <translation>点有 %1 条线，而传感器 %2 有 %3 条：选项 sensor 正确吗？</translation>
+        </message>
+        <message>
+            <source>the points have no rings: %1 evenly spaced ones are assumed. Name the sensor with the option sensor</source>
+            <translation>点没有线号：假定为 %1 条均匀分布的线。请用选项 sensor 指定传感器</translation>
+        </message>
+        <message>
+            <source>%1 % of the points are left out because their tag says that they are noise (rain, dust, or between two surfaces). In dry air that is too many: the device may give its tags another meaning</source>
+            <translation>%1 % 的点因标签表明是噪声（雨、灰尘，或介于两个表面之间）而舍去。在干燥空气中这太多了：该设备的标签可能另有含义</translation>
+        </message>
+        <message>
+            <source>the points are in the axes '%1', which are not those of a scanner: ranges and rays are wrong unless both have the same origin. Choose the topic that the driver of the scanner writes</source>
+            <translation>点所在的坐标轴“%1”不是扫描仪的坐标轴：除非两者原点相同，否则距离和射线都是错的。请选择扫描仪驱动程序写出的话题</translation>
+        </message>
+        <message>
+            <source>%1 of %2 messages that were looked at hold fewer points than they declare</source>
+            <translation>检查的 %2 条消息中有 %1 条所含的点少于其声明</translation>
+        </message>
+        <message>
+            <source>%1: %2 frame of %3, %4</source>
+            <translation>%1：%2 帧，来自 %3，%4</translation>
+        </message>
+        <message>
+            <source>%1: %2 frame of %3, %4 rings</source>
+            <translation>%1：%2 帧，来自 %3，%4 线</translation>
+        </message>
+        <message>
+            <source>%1: %2 frame of %3, rosette</source>
+            <translation>%1：%2 帧，来自 %3，花瓣形扫描</translation>
+        </message>
+        <message>
+            <source>%1: %2 frames of %3, %4</source>
+            <translation>%1：%2 帧，来自 %3，%4</translation>
+        </message>
+        <message>
+            <source>%1: %2 frames of %3, %4 rings</source>
+            <translation>%1：%2 帧，来自 %3，%4 线</translation>
+        </message>
+        <message>
+            <source>%1: %2 frames of %3, rosette</source>
+            <translation>%1：%2 帧，来自 %3，花瓣形扫描</translation>
+        </message>
+        <message>
+            <source>'%1' is listed in metadata.yaml and is not in the folder</source>
+            <translation>“%1”列在 metadata.yaml 中，但不在文件夹里</translation>
+        </message>
+        <message>
+            <source>%1 files are not listed in metadata.yaml and are left out</source>
+            <translation>%1 个文件未列在 metadata.yaml 中，已舍去</translation>
+        </message>
+        <message>
+            <source>'%1' cannot be read: %2</source>
+            <translation>无法读取“%1”：%2</translation>
+        </message>
+        <message>
+            <source>there is no metadata.yaml: the %1 files are read as one recording, in order of time</source>
+            <translation>没有 metadata.yaml：%1 个文件按时间顺序作为一次记录读取</translation>
+        </message>
+        <message>
+            <source>%1 of %2 messages that metadata.yaml declares are missing</source>
+            <translation>metadata.yaml 声明的 %2 条消息中缺少 %1 条</translation>
+        </message>
+        <message>
+            <source>%1 of %2 messages of %3 that were looked at cannot be used (%4): such messages are gaps</source>
+            <translation>检查的 %3 的 %2 条消息中有 %1 条不能使用（%4）：这些消息成为间断</translation>
+        </message>
+        <message>
+            <source>%1 of %2 messages of %3 that were looked at cannot be used (no message): such messages are gaps</source>
+            <translation>检查的 %3 的 %2 条消息中有 %1 条不能使用（没有消息）：这些消息成为间断</translation>
+        </message>
+        <message>
+            <source>%1 of %2 messages of %3 that were looked at cannot be used (values that are no numbers): such messages are gaps</source>
+            <translation>检查的 %3 的 %2 条消息中有 %1 条不能使用（数值不是数）：这些消息成为间断</translation>
+        </message>
+        <message>
+            <source>%1 of %2 messages of %3 that were looked at have the time of the one before: such messages are left out</source>
+            <translation>检查的 %3 的 %2 条消息中有 %1 条的时间与前一条相同：这些消息已舍去</translation>
+        </message>
+        <message>
+            <source>the messages of %1 have no stamps: their recording times are taken</source>
+            <translation>%1 的消息没有时间戳：采用其记录时间</translation>
+        </message>
+        <message>
+            <source>the accelerations of %1 are about 1: they are taken as multiples of gravity, as the Livox drivers write them</source>
+            <translation>%1 的加速度约为 1：视为重力加速度的倍数，Livox 驱动程序即如此写出</translation>
+        </message>
+        <message>
+            <source>the accelerations of %1 are about %2 m/s2, not 9.8: gravity is missing, or the unit is another one</source>
+            <translation>%1 的加速度约为 %2 m/s2，而不是 9.8：缺少重力，或单位不同</translation>
+        </message>
+        <message>
+            <source>topic %1</source>
+            <translation>话题 %1</translation>
+        </message>
+        <message>
+            <source>%1 messages of packets cannot be read (%2)</source>
+            <translation>%1 条数据包消息无法读取（%2）</translation>
+        </message>
+        <message>
+            <source>the stamps of the inertial unit and of the scan do not overlap (they begin %1 s apart): the two have different clocks, and the unit cannot be used</source>
+            <translation>惯性单元与扫描的时间戳不重叠（起点相差 %1 s）：两者时钟不同，该单元不能使用</translation>
+        </message>
+        <message>
+            <source>%1 s of the scan, of %2 s, have no measurement of the inertial unit: was it started with the scanner, and are the clocks the same?</source>
+            <translation>扫描的 %2 s 中有 %1 s 没有惯性单元的测量：它是否与扫描仪同时启动，时钟是否相同？</translation>
+        </message>
+        <message>
+            <source>the inertial unit is left out: %1</source>
+            <translation>惯性单元未采用：%1</translation>
+        </message>
+        <message>
+            <source>the recording has more than one inertial unit: %1. None is used; name one with the option imu</source>
+            <translation>记录中有多个惯性单元：%1。均未采用；请用选项 imu 指定一个</translation>
+        </message>
+        <message>
+            <source>%1 % of the recording cannot be read</source>
+            <translation>记录的 %1 % 无法读取</translation>
+        </message>
+        <message>
+            <source>the file has no usable summary (not closed, or cut off): its records were gone through</source>
+            <translation>文件没有可用的摘要（未关闭或被截断）：已逐条查找其记录</translation>
+        </message>
+        <message>
+            <source>chunks compressed with '%1' cannot be read</source>
+            <translation>无法读取用“%1”压缩的数据块</translation>
+        </message>
+        <message>
+            <source>looking for messages</source>
+            <translation>查找消息</translation>
+        </message>
+        <message>
+            <source>the file is cut off or damaged at byte %1 of %2: what comes before is read</source>
+            <translation>文件在 %2 字节中的第 %1 字节处被截断或损坏：读取其前的内容</translation>
+        </message>
+        <message>
+            <source>a chunk of the file is damaged: the messages before the damage are read</source>
+            <translation>文件的一个数据块已损坏：读取损坏处之前的消息</translation>
+        </message>
+        <message>
+            <source>topic %1 has %2 messages, and the file declares %3</source>
+            <translation>话题 %1 有 %2 条消息，而文件声明有 %3 条</translation>
+        </message>
+        <message>
+            <source>%1 messages of %2 are there twice: each is read once</source>
+            <translation>%2 的 %1 条消息重复：每条只读一次</translation>
+        </message>
+        <message>
+            <source>%1 of %2 messages of %3 have a recording time that no clock shows (before 1970 or after 2262): they are read first, which may not be their place</source>
+            <translation>%3 的 %2 条消息中有 %1 条的记录时间不可能出自任何时钟（早于 1970 年或晚于 2262 年）：它们最先读取，这可能不是其应有的位置</translation>
+        </message>
+        <message>
+            <source>about %1 messages of %2 are missing between the %3 that were recorded: the scan has gaps in time</source>
+            <translation>在记录的 %3 条消息之间，%2 约缺少 %1 条：扫描在时间上有间断</translation>
+        </message>
+        <message>
+            <source>the bag was not closed and has no index: its records were gone through</source>
+            <translation>bag 文件未关闭，没有索引：已逐条查找其记录</translation>
+        </message>
+        <message>
+            <source>the index of the bag is damaged: its records were gone through</source>
+            <translation>bag 文件的索引已损坏：已逐条查找其记录</translation>
+        </message>
+        <message>
+            <source>the last chunk of the bag was not finished: what it holds is read</source>
+            <translation>bag 文件的最后一个数据块未写完：读取其已有的内容</translation>
+        </message>
+        <message>
+            <source>the bag is cut off or damaged at byte %1 of %2: what comes before is read</source>
+            <translation>bag 文件在 %2 字节中的第 %1 字节处被截断或损坏：读取其前的内容</translation>
+        </message>
+        <message>
+            <source>a chunk of the bag is damaged: the messages before the damage are read</source>
+            <translation>bag 文件的一个数据块已损坏：读取损坏处之前的消息</translation>
+        </message>
+        <message>
+            <source>a chunk has %1 messages of %2, and the bag declares %3</source>
+            <translation>一个数据块有 %2 的 %1 条消息，而 bag 文件声明有 %3 条</translation>
+        </message>
+        <message>
+            <source>decompressing %1</source>
+            <translation>解压 %1</translation>
+        </message>
+        <message>
+            <source>the log '%1-wal' cannot be read: its messages are missing. Copy the recording to a folder that may be written to</source>
+            <translation>无法读取日志“%1-wal”：其中的消息缺失。请将记录复制到可写的文件夹</translation>
+        </message>
+        <message>
+            <source>the database is cut off or damaged (%1): %2 messages are read</source>
+            <translation>数据库被截断或损坏（%1）：读取 %2 条消息</translation>
+        </message>
+        <message>
+            <source>the clock of the points differs from that of the messages by %1 s: points get the times of the messages' clock, with the start of the sweep at the stamp</source>
+            <translation>点的时钟与消息的时钟相差 %1 s：点采用消息时钟的时间，以时间戳为一圈扫描的起点</translation>
+        </message>
+        <message>
+            <source>. the clock of the points jumps by up to %1 s against that of the messages: such frames start at the stamps of their messages</source>
+            <translation>。点的时钟相对消息的时钟跳变达 %1 s：这些帧从其消息的时间戳开始</translation>
+        </message>
+        <message>
+            <source>the clock of the points jumps by up to %1 s against that of the messages: such frames start at the stamps of their messages</source>
+            <translation>点的时钟相对消息的时钟跳变达 %1 s：这些帧从其消息的时间戳开始</translation>
+        </message>
+        <message>
+            <source>the messages were recorded %1 after their stamp, but their points last %2 from it: the stamp may be the end of the sweep. All times may be late by %3</source>
+            <translation>消息在其时间戳之后 %1 才被记录，但其中的点从时间戳起持续 %2：时间戳可能是一圈扫描的终点。所有时间可能晚 %3</translation>
+        </message>
+        <message>
+            <source>the field '%1' (%2) is no time of points: all points of a message have the same value</source>
+            <translation>字段“%1”（%2）不是点的时间：一条消息的所有点取值相同</translation>
+        </message>
+        <message>
+            <source>the field '%1' (%2) is no time of points: its values span %3 in a message, and messages are %4 s apart</source>
+            <translation>字段“%1”（%2）不是点的时间：其值在一条消息内跨 %3，而消息间隔为 %4 s</translation>
+        </message>
+        <message>
+            <source>the time bases of the messages differ from their stamps by up to %1 s: points are timed from the stamps</source>
+            <translation>消息的时间基准与其时间戳相差达 %1 s：点的时间自时间戳起算</translation>
+        </message>
+        <message>
+            <source>x %1 to %2, y %3 to %4, z %5 to %6</source>
+            <translation>x %1 至 %2，y %3 至 %4，z %5 至 %6</translation>
+        </message>
+        <message>
+            <source>reading points</source>
+            <translation>读取点</translation>
+        </message>
+        <message>
+            <source>the file is cut off: the header declares %1 points, %2 are present and were read</source>
+            <translation>文件被截断：文件头声明 %1 个点，现有并已读取 %2 个</translation>
+        </message>
+        <message>
+            <source>%1 points dropped: their coordinates are not numbers</source>
+            <translation>舍去 %1 个点：其坐标不是数</translation>
+        </message>
+        <message>
+            <source>the file holds no points</source>
+            <translation>文件中没有点</translation>
+        </message>
+        <message>
+            <source>%1 of %2 points lie more than 100 000 km from the origin, as the bounds in the header of the file say: these are no coordinates in metres. Set the option unit, or repair scale and offset in the header</source>
+            <translation>%2 个点中有 %1 个距原点超过 100 000 km，与文件头中的范围一致：这不是以米为单位的坐标。请设置选项 unit，或修复文件头中的比例和偏移</translation>
+        </message>
+        <message>
+            <source>%1 of %2 points lie more than 100 000 km from the origin: crop or repair the cloud</source>
+            <translation>%2 个点中有 %1 个距原点超过 100 000 km：请裁剪或修复点云</translation>
+        </message>
+        <message>
+            <source>the option resolution has no effect: this file of the format %1 has no levels that can be used, all of its points were read. Convert it to COPC, or set resolution=0</source>
+            <translation>选项 resolution 不起作用：这个 %1 格式的文件没有可用的层级，已读取全部点。请转换为 COPC，或设置 resolution=0</translation>
+        </message>
+        <message>
+            <source>%1: %2 points (%3)</source>
+            <translation>%1：%2 个点（%3）</translation>
+        </message>
+        <message>
+            <source>writing points</source>
+            <translation>写出点</translation>
+        </message>
+        <message>
+            <source>the file is cut off within its last point</source>
+            <translation>文件在最后一个点的中间被截断</translation>
+        </message>
+        <message>
+            <source>%1 million points: terrain and stems need about %2 GiB of memory in all, and %3 GiB are free beside the points. If the run ends for lack of memory, cut the plot into parts that overlap by 20 m, or thin the file</source>
+            <translation>%1 百万个点：地形和单木共需约 %2 GiB 内存，除点以外还有 %3 GiB 可用。如果运行因内存不足而中止，请将样地切成重叠 20 m 的几部分，或抽稀文件</translation>
+        </message>
+        <message>
+            <source>%1 lines with fewer than %2 values were skipped</source>
+            <translation>跳过了 %1 行，其数值少于 %2 个</translation>
+        </message>
+        <message>
+            <source>%1 lines without the properties of a vertex were skipped</source>
+            <translation>跳过了 %1 行，其中没有顶点的属性</translation>
+        </message>
+        <message>
+            <source>the file holds no points: it has no element 'vertex'</source>
+            <translation>文件中没有点：没有元素“vertex”</translation>
+        </message>
+        <message>
+            <source>reading lines</source>
+            <translation>读取各行</translation>
+        </message>
+        <message>
+            <source>the file is cut off: %1 points of the grid are missing</source>
+            <translation>文件被截断：格网缺少 %1 个点</translation>
+        </message>
+        <message>
+            <source>the coordinates are longitude and latitude: lengths cannot be measured in them. Project the cloud to a metric system first</source>
+            <translation>坐标是经度和纬度：不能用来量测长度。请先将点云投影到米制坐标系</translation>
+        </message>
+        <message>
+            <source>the coordinate system of the file counts in units of %1 m: the coordinates were turned to metres, and results carry no coordinate system. unit=metre takes them as they are</source>
+            <translation>文件的坐标系以 %1 m 为单位：坐标已换算为米，结果不带坐标系。unit=metre 则照原样采用</translation>
+        </message>
+        <message>
+            <source>the coordinates were turned from %1 to metres: results carry no coordinate system</source>
+            <translation>坐标已由 %1 换算为米：结果不带坐标系</translation>
+        </message>
+        <message>
+            <source>the coordinates are %1s: %2 stems of %3 cm stand in the cloud when they are taken so. unit=%4 says it, unit=metre takes them as they are</source>
+            <translation>坐标以 %1 为单位：如此理解时，点云中有 %2 株直径 %3 cm 的单木。unit=%4 即指定此单位，unit=metre 则照原样采用</translation>
+        </message>
+        <message>
+            <source>the cloud is hundreds of metres long, wide and high with hardly a point per square metre: the unit looks like millimetres or centimetres. Set unit</source>
+            <translation>点云长、宽、高达数百米，每平方米几乎不到一个点：单位看来是毫米或厘米。请设置 unit</translation>
+        </message>
+        <message>
+            <source>the cloud is %1 m high over %2 m x %3 m: no tree is that tall, in feet neither. z looks like centimetres or millimetres where x and y are metres, or points lie far above the stand. Give x, y and z in the same unit</source>
+            <translation>点云在 %2 m x %3 m 的范围内高 %1 m：没有这么高的树，以英尺计也没有。z 看来以厘米或毫米为单位而 x 和 y 以米为单位，或有点远高于林分。请使 x、y 和 z 的单位相同</translation>
+        </message>
+        <message>
+            <source>the trees are %1 m tall and their stems %2 cm thick: they are too stout for trees in any unit. Points below the ground, or a cloud without crowns, look so. Set unit where it is not metres</source>
+            <translation>树高 %1 m，树干粗 %2 cm：无论用何种单位，对树木而言都过于粗短。地面以下的点，或没有树冠的点云，会呈现这种情况。如果单位不是米，请设置 unit</translation>
+        </message>
+        <message>
+            <source>the trees are %1 m tall%2: they are too stout for trees in any unit. Points below the ground, or a cloud without crowns, look so. Set unit where it is not metres</source>
+            <translation>树高 %1 m%2：无论用何种单位，对树木而言都过于粗短。地面以下的点，或没有树冠的点云，会呈现这种情况。如果单位不是米，请设置 unit</translation>
+        </message>
+        <message>
+            <source>the trees are %1 m tall and their stems %2 cm thick: the unit looks like feet. Set unit=foot, or unit=metre where the stand is that tall</source>
+            <translation>树高 %1 m，树干粗 %2 cm：单位看来是英尺。请设置 unit=foot；如果林分确实这么高，请设置 unit=metre</translation>
+        </message>
+        <message>
+            <source>the trees are %1 m tall%2: the unit looks like feet. Set unit=foot, or unit=metre where the stand is that tall</source>
+            <translation>树高 %1 m%2：单位看来是英尺。请设置 unit=foot；如果林分确实这么高，请设置 unit=metre</translation>
+        </message>
+        <message>
+            <source>%1 along %2</source>
+            <translation>%1 株沿 %2</translation>
+        </message>
+        <message>
+            <source>, %1 along %2</source>
+            <translation>，%1 株沿 %2</translation>
+        </message>
+        <message>
+            <source>with up=%1 the stems lie: %2. Set up=auto, or another axis</source>
+            <translation>按 up=%1，树干是横卧的：%2。请设置 up=auto 或其他轴</translation>
+        </message>
+        <message>
+            <source>%1 is up: %2 of the stems stand so (%3). The cloud was turned; up=%4 says it, up=z takes it as it is</source>
+            <translation>%1 轴朝上：%2 株单木沿此竖立（%3）。点云已旋转；up=%4 即指定此轴，up=z 则照原样采用</translation>
+        </message>
+        <message>
+            <source>%1 may be up: a smooth ground lies across it. The cloud was read with z up; set up=%2, or up=z where that is right</source>
+            <translation>%1 轴可能朝上：有平滑的地面与之垂直。点云按 z 朝上读取；请设置 up=%2；如果 z 正确，请设置 up=z</translation>
+        </message>
+        <message>
+            <source>%1 may be up: stems stand along it (%2), and a smooth ground lies across it. The cloud was read with z up; set up=%3, or up=z where that is right</source>
+            <translation>%1 轴可能朝上：单木沿此竖立（%2），且有平滑的地面与之垂直。点云按 z 朝上读取；请设置 up=%3；如果 z 正确，请设置 up=z</translation>
+        </message>
+        <message>
+            <source>%1 may be up: stems stand along it (%2). The cloud was read with z up; set up=%3, or up=z where that is right</source>
+            <translation>%1 轴可能朝上：单木沿此竖立（%2）。点云按 z 朝上读取；请设置 up=%3；如果 z 正确，请设置 up=z</translation>
+        </message>
+        <message>
+            <source>the cloud was not levelled: %1 stems were found to level by, 5 are needed. Set level=none where it is level</source>
+            <translation>点云未整平：只找到 %1 株可用于整平的单木，需要 5 株。如果点云本来水平，请设置 level=none</translation>
+        </message>
+        <message>
+            <source>the cloud was turned by %1 deg, until its %2 stems are vertical on average</source>
+            <translation>点云已旋转 %1 度，使其 %2 株单木平均而言竖直</translation>
+        </message>
+        <message>
+            <source>the %1 stems lean by %2 +- %3 deg in common: the cloud is not level, or they all grow so. Set level=stems to make it level; heights and breast height follow</source>
+            <translation>%1 株单木共同倾斜 %2 +- %3 度：点云不水平，或它们都如此生长。请设置 level=stems 使其水平；高度和胸高随之改变</translation>
+        </message>
+        <message>
+            <source>the stems have two walls, %1 cm apart towards %2 deg: the cloud holds two registrations that do not meet, and diameters are of both together. Register the scans anew</source>
+            <translation>树干有两层壁，相距 %1 cm，方向 %2 度：点云含有两次不重合的配准，直径是两者合在一起的。请重新配准各次扫描</translation>
+        </message>
+        <message>
+            <source>no stem is seen at %1 points per m2: too sparse, or airborne. It is good for terrain and heights; diameters cannot be measured in it</source>
+            <translation>每 m2 %1 个点，看不到树干：太稀，或为机载数据。可用于地形和树高；不能用来测直径</translation>
+        </message>
+        <message>
+            <source>too sparse for diameters: %1 points per stem are needed on the 1.3 m about breast height, %2 were found (median of %3 stems). Use a denser cloud</source>
+            <translation>太稀，不能测直径：胸高上下 1.3 m 内每株需要 %1 个点，只有 %2 个（%3 株的中位数）。请使用更密的点云</translation>
+        </message>
+        <message>
+            <source>the cloud is a single tree without ground around it: its heights are counted from its lowest points</source>
+            <translation>点云是一株单独的树，周围没有地面：其高度自最低点起算</translation>
+        </message>
+        <message>
+            <source>%1 % of the points have the coordinates of another one: intervals come out too narrow where points count twice. Remove them, or keep more digits</source>
+            <translation>%1 % 的点与另一个点坐标相同：重复计点会使区间过窄。请去掉重复点，或保留更多位数</translation>
+        </message>
+        <message>
+            <source>%1 points, given in memory</source>
+            <translation>%1 个点，由内存给出</translation>
+        </message>
+        <message>
+            <source>the file declares %1 points and holds %2: all were read. Is it made of several scans?</source>
+            <translation>文件声明 %1 个点，实有 %2 个：已全部读取。它是由多次扫描合成的吗？</translation>
+        </message>
+        <message>
+            <source>the column '%1' holds words in %2 lines (the first: '%3'): they count as no value, 0 in a column of whole numbers. Write numbers</source>
+            <translation>列“%1”有 %2 行是文字（第一个：“%3”）：它们视为无值，在整数列中为 0。请写成数</translation>
+        </message>
+        <message>
+            <source>the column '%1' holds words in %2 lines (the first: '%3'): they count as no value, 0 in a column of whole numbers. Write numbers (2 is ground, 5 is high vegetation)</source>
+            <translation>列“%1”有 %2 行是文字（第一个：“%3”）：它们视为无值，在整数列中为 0。请写成数（2 为地面，5 为高植被）</translation>
+        </message>
+        <message>
+            <source>%1 lines without %2 numbers were skipped; the first is line %3</source>
+            <translation>跳过了 %1 行，其中不足 %2 个数；第一处为第 %3 行</translation>
+        </message>
+        <message>
+            <source>building the octree</source>
+            <translation>建立八叉树</translation>
+        </message>
+        <message>
+            <source>the record of COPC is damaged: the file is read as LAZ, without its octree</source>
+            <translation>COPC 记录已损坏：文件按 LAZ 读取，不用其八叉树</translation>
+        </message>
+        <message>
+            <source>%1 of %2 points of node %3-%4-%5-%6 of '%7' cannot be read: the file is damaged there</source>
+            <translation>“%7”的节点 %3-%4-%5-%6 的 %2 个点中有 %1 个无法读取：文件在该处已损坏</translation>
+        </message>
+        <message>
+            <source>%1 points of the nodes that meet the box cannot be read: the file is damaged there</source>
+            <translation>与范围框相交的节点中有 %1 个点无法读取：文件在该处已损坏</translation>
+        </message>
+        <message>
+            <source>%1 says not where its points lie: it is left out</source>
+            <translation>%1 没有说明其点的位置：已舍去</translation>
+        </message>
+        <message>
+            <source>%1 has fields of an unknown type, or with limits or scales that are no numbers: it is left out</source>
+            <translation>%1 含有类型未知的字段，或其界限或比例不是数：已舍去</translation>
+        </message>
+        <message>
+            <source>the pose of %1 is no rotation and translation: it is left out</source>
+            <translation>%1 的位姿不是旋转加平移：已舍去</translation>
+        </message>
+        <message>
+            <source>scan %1</source>
+            <translation>扫描 %1</translation>
+        </message>
+        <message>
+            <source>scan %1 ('%2')</source>
+            <translation>扫描 %1（“%2”）</translation>
+        </message>
+        <message>
+            <source>the description of the file ends early (%1): scans may be missing</source>
+            <translation>文件的描述提前结束（%1）：可能缺少扫描</translation>
+        </message>
+        <message>
+            <source>%1 images were skipped</source>
+            <translation>跳过了 %1 幅图像</translation>
+        </message>
+        <message>
+            <source>the scans declare different limits of their intensities: these are given as the file has them, and those of different scans cannot be compared</source>
+            <translation>各次扫描声明的强度界限不同：强度按文件原样给出，不同扫描的强度不能互相比较</translation>
+        </message>
+        <message>
+            <source>%1 pages of the file have a wrong checksum: %2 points in them were left out. Copy or export the file again</source>
+            <translation>文件有 %1 页校验和错误：其中的 %2 个点已舍去。请重新复制或导出文件</translation>
+        </message>
+        <message>
+            <source>%1 of %2 points read: the others are damaged or missing</source>
+            <translation>读取了 %2 个点中的 %1 个：其余已损坏或缺失</translation>
+        </message>
+        <message>
+            <source>the file is cut off: %1 of %2 bytes are present</source>
+            <translation>文件被截断：现有 %2 字节中的 %1 字节</translation>
+        </message>
+        <message>
+            <source>the origin of %1 lies beside all of its points</source>
+            <translation>%1 的原点在其所有点的一侧</translation>
+        </message>
+        <message>
+            <source>most points of %1 are more than 500 m from its origin</source>
+            <translation>%1 的多数点距其原点超过 500 m</translation>
+        </message>
+        <message>
+            <source>%1: stems are measured without rays. Set scan_positions=given where the poses of the file are places of the scanner</source>
+            <translation>%1：单木不用射线测定。如果文件中的位姿就是扫描仪的位置，请设置 scan_positions=given</translation>
+        </message>
+        <message>
+            <source>the file does not say where the scanner stood (no pose but a shift, no grid and no angles, or scans that were merged)</source>
+            <translation>文件没有说明扫描仪的位置（除平移外没有位姿，没有格网和角度，或扫描已合并）</translation>
+        </message>
+        <message>
+            <source>%1, so that its pose need not be where the scanner stood</source>
+            <translation>%1，因此其位姿未必是扫描仪的位置</translation>
+        </message>
+        <message>
+            <source>rays go out from the places of %1 scans. Set scan_positions=none where the points were measured from elsewhere</source>
+            <translation>射线从 %1 次扫描的位置发出。如果点是从别处测得的，请设置 scan_positions=none</translation>
+        </message>
+        <message>
+            <source>the coordinates are longitude and latitude, not metres: project the cloud first</source>
+            <translation>坐标是经度和纬度，不是米：请先投影点云</translation>
+        </message>
+        <message>
+            <source>the coordinates are in %1 (%2 m), not in metres</source>
+            <translation>坐标以 %1（%2 m）为单位，不是米</translation>
+        </message>
+        <message>
+            <source>the coordinates are in a unit without a name (%1 m), not in metres</source>
+            <translation>坐标采用没有名称的单位（%1 m），不是米</translation>
+        </message>
+        <message>
+            <source>extra bytes '%1' (type %2) do not lie within the point record; they and those after them are skipped</source>
+            <translation>附加字节“%1”（类型 %2）超出点记录；它及其后的附加字节已跳过</translation>
+        </message>
+        <message>
+            <source>extra bytes '%1' are not a single number and are skipped</source>
+            <translation>附加字节“%1”不是单个数，已跳过</translation>
+        </message>
+        <message>
+            <source>extra bytes %1 have no unique name and are skipped</source>
+            <translation>附加字节 %1 没有唯一的名称，已跳过</translation>
+        </message>
+        <message>
+            <source>the facts of the file are damaged (too long) and were left out</source>
+            <translation>文件中的附注已损坏（过长），已舍去</translation>
+        </message>
+        <message>
+            <source>the facts of the cloud take %1 bytes, a LAS record holds %2: they were not written</source>
+            <translation>点云的附注占 %1 字节，而 LAS 记录只能容纳 %2 字节：未写出</translation>
+        </message>
+        <message>
+            <source>the coordinate reference system has no EPSG code that LAS 1.2 could hold; it was not written</source>
+            <translation>坐标参考系没有 LAS 1.2 能保存的 EPSG 代码；未写出</translation>
+        </message>
+        <message>
+            <source>the coordinate scale %1 %2 %3 is negative: check that the cloud is not mirrored</source>
+            <translation>坐标比例 %1 %2 %3 为负：请检查点云是否成镜像</translation>
+        </message>
+        <message>
+            <source>the bounding box of the header is not one; that of the points is used</source>
+            <translation>文件头中的范围框无效；采用点的范围框</translation>
+        </message>
+        <message>
+            <source>the header counts %1 points in its legacy field and %2 in its extended one; %3 is used</source>
+            <translation>文件头的旧字段计有 %1 个点，扩展字段计有 %2 个；采用 %3</translation>
+        </message>
+        <message>
+            <source>%1 of %2 extended variable length records lie within the file</source>
+            <translation>%2 个扩展变长记录中有 %1 个位于文件内</translation>
+        </message>
+        <message>
+            <source>%1 of %2 variable length records lie within the file</source>
+            <translation>%2 个变长记录中有 %1 个位于文件内</translation>
+        </message>
+        <message>
+            <source>variable length record %1 of %2 (%3 %4) says it has %5 bytes, %6 are there; it and those behind it are left out</source>
+            <translation>第 %1 个变长记录（共 %2 个，%3 %4）声明有 %5 字节，实有 %6 字节；它及其后的记录已舍去</translation>
+        </message>
+        <message>
+            <source>the extended variable length records would begin at byte %1 of %2; they are left out</source>
+            <translation>扩展变长记录应从 %2 字节中的第 %1 字节开始；已舍去</translation>
+        </message>
+        <message>
+            <source>%1 entries of the octree of the file are impossible, lie outside of it or on top of others: points may be missing. Read the file without bounds and resolution</source>
+            <translation>文件八叉树的 %1 个条目不可能成立、位于其外或互相重叠：可能缺少点。请不带 bounds 和 resolution 读取文件</translation>
+        </message>
+        <message>
+            <source>%1 pages of the octree of the file cannot be read: nobody knows how many points lie below them. Read the file without bounds and resolution</source>
+            <translation>文件八叉树的 %1 页无法读取：其下有多少点无从得知。请不带 bounds 和 resolution 读取文件</translation>
+        </message>
+        <message>
+            <source>the header counts %1 points, the file has room for %2: those behind were not read</source>
+            <translation>文件头计有 %1 个点，文件只容得下 %2 个：其后的点未读取</translation>
+        </message>
+        <message>
+            <source>%1 of %2 points read: the file ends early or is damaged there</source>
+            <translation>读取了 %2 个点中的 %1 个：文件在该处提前结束或已损坏</translation>
+        </message>
+        <message>
+            <source>the cloud reaches further than 2^23 steps of %1 m from its middle: coordinates are rounded to float32 there</source>
+            <translation>点云自其中心伸展超过 2^23 个 %1 m 的步长：该处坐标舍入为 float32</translation>
+        </message>
+        <message>
+            <source>%1 of %2 points are marked as withheld; they are left out</source>
+            <translation>%2 个点中有 %1 个标为保留不用（withheld）；已舍去</translation>
+        </message>
+        <message>
+            <source>%1 of %2 points are marked as withheld; they are read like the others</source>
+            <translation>%2 个点中有 %1 个标为保留不用（withheld）；与其他点一样读取</translation>
+        </message>
+        <message>
+            <source>the times are not GPS time, which is what a LAS field holds: they were not written</source>
+            <translation>时间不是 GPS 时间，而 LAS 字段存放的是 GPS 时间：未写出</translation>
+        </message>
+        <message>
+            <source>the file has no usable chunk table; its chunks are read in order</source>
+            <translation>文件没有可用的数据块表；按顺序读取其数据块</translation>
+        </message>
+        <message>
+            <source>reading compressed points</source>
+            <translation>读取压缩的点</translation>
+        </message>
+        <message>
+            <source>compressing points</source>
+            <translation>压缩点</translation>
+        </message>
+        <message>
+            <source>read %1</source>
+            <translation>读取 %1</translation>
+        </message>
+        <message>
+            <source>%1 runs with %2 stems</source>
+            <translation>%1 次运行，共 %2 株单木</translation>
+        </message>
+        <message>
+            <source>its stems.csv has no row</source>
+            <translation>其 stems.csv 没有数据行</translation>
+        </message>
+        <message>
+            <source>what made this run is not known</source>
+            <translation>这次运行由什么生成未知</translation>
+        </message>
+        <message>
+            <source>which of its trees count is only known by the column counted</source>
+            <translation>其中哪些树计入，只能由 counted 列得知</translation>
+        </message>
+        <message>
+            <source>its trajectory takes no part</source>
+            <translation>其轨迹不参与比较</translation>
+        </message>
+        <message>
+            <source>the last run in this folder failed: the survey before it is compared</source>
+            <translation>此文件夹的上一次运行失败：比较的是更早的调查</translation>
+        </message>
+        <message>
+            <source>this run was asked to finish early</source>
+            <translation>这次运行曾被要求提前结束</translation>
+        </message>
+        <message>
+            <source>the verdict of this run is: refused</source>
+            <translation>这次运行的结论为：拒绝</translation>
+        </message>
+        <message>
+            <source>%1: there is no %2; %3</source>
+            <translation>%1：没有 %2；%3</translation>
+        </message>
+        <message>
+            <source>%1 cannot be read (%2); %3</source>
+            <translation>无法读取 %1（%2）；%3</translation>
+        </message>
+        <message>
+            <source>its reference takes no part</source>
+            <translation>其参照不参与比较</translation>
+        </message>
+        <message>
+            <source>its reference trajectory takes no part</source>
+            <translation>其参照轨迹不参与比较</translation>
+        </message>
+        <message>
+            <source>its loop closures are not drawn</source>
+            <translation>不绘制其回环</translation>
+        </message>
+        <message>
+            <source>%1 IP fragment</source>
+            <translation>%1 个 IP 分片</translation>
+        </message>
+        <message>
+            <source>%1 IP fragments</source>
+            <translation>%1 个 IP 分片</translation>
+        </message>
+        <message>
+            <source>%1 of datagrams that are not whole were skipped</source>
+            <translation>跳过了%1，其数据报不完整</translation>
+        </message>
+        <message>
+            <source>%1 data packet</source>
+            <translation>%1 个数据包</translation>
+        </message>
+        <message>
+            <source>%1 data packets</source>
+            <translation>%1 个数据包</translation>
+        </message>
+        <message>
+            <source>the capture is cut off or damaged after %1 (%2): the frames before that are read</source>
+            <translation>抓包文件在%1之后被截断或损坏（%2）：读取其前的帧</translation>
+        </message>
+        <message>
+            <source>the capture is cut off or damaged after %1 (%2): the frames before that are read (%3 % of the file)</source>
+            <translation>抓包文件在%1之后被截断或损坏（%2）：读取其前的帧（文件的 %3 %）</translation>
+        </message>
+        <message>
+            <source>%1 files were skipped: frames are read from *%2 only</source>
+            <translation>跳过了 %1 个文件：只从 *%2 读取帧</translation>
+        </message>
+        <message>
+            <source>%1 of %2 frames are empty or cut off (first: %3)</source>
+            <translation>%2 帧中有 %1 帧为空或被截断（第一帧：%3）</translation>
+        </message>
+        <message>
+            <source>'%1' is not used: it has %2 times for %3 frames, or they do not increase</source>
+            <translation>未采用“%1”：它有 %2 个时间而帧有 %3 个，或时间不是递增的</translation>
+        </message>
+        <message>
+            <source>the frames have no rings: %1 evenly spaced ones are assumed. Name the sensor with the option sensor</source>
+            <translation>帧没有线号：假定为 %1 条均匀分布的线。请用选项 sensor 指定传感器</translation>
+        </message>
+        <message>
+            <source>%1: %2 frame, %3</source>
+            <translation>%1：%2 帧，%3</translation>
+        </message>
+        <message>
+            <source>%1: %2 frame, %3 rings</source>
+            <translation>%1：%2 帧，%3 线</translation>
+        </message>
+        <message>
+            <source>%1: %2 frames, %3</source>
+            <translation>%1：%2 帧，%3</translation>
+        </message>
+        <message>
+            <source>%1: %2 frames, %3 rings</source>
+            <translation>%1：%2 帧，%3 线</translation>
+        </message>
+        <message>
+            <source>the angles are those of the manual of the %1: put the correction file (CSV) of the unit beside the capture</source>
+            <translation>角度取自 %1 的手册：请将该设备的校正文件（CSV）放在抓包文件旁</translation>
+        </message>
+        <message>
+            <source>the inertial unit %1 has %2 gaps of more than %3 s, the longest %4 s</source>
+            <translation>惯性单元 %1 有 %2 处超过 %3 s 的间断，最长 %4 s</translation>
+        </message>
+        <message>
+            <source>%1: %2 measurements are no numbers and were left out</source>
+            <translation>%1：%2 个测量值不是数，已舍去</translation>
+        </message>
+        <message>
+            <source>%1: %2 measurements go back in time and were left out</source>
+            <translation>%1：%2 个测量值的时间倒退，已舍去</translation>
+        </message>
+        <message>
+            <source>indexing blocks</source>
+            <translation>为数据块建立索引</translation>
+        </message>
+        <message>
+            <source>the device type %1 is not known: its range noise and beam are not</source>
+            <translation>设备类型 %1 未知：其测距噪声和光束也未知</translation>
+        </message>
+        <message>
+            <source>%1 package</source>
+            <translation>%1 个数据包</translation>
+        </message>
+        <message>
+            <source>%1 packages</source>
+            <translation>%1 个数据包</translation>
+        </message>
+        <message>
+            <source>the file is cut off or damaged after %1 (%2 % of the file): the frames before that are read</source>
+            <translation>文件在%1之后被截断或损坏（文件的 %2 %）：读取其前的帧</translation>
+        </message>
+        <message>
+            <source>%1 of a type that is not known were skipped</source>
+            <translation>跳过了%1，其类型未知</translation>
+        </message>
+        <message>
+            <source>the file has %1 devices, and not all of them have extrinsics: calibrate them in Livox Viewer</source>
+            <translation>文件有 %1 个设备，并非都有外参：请在 Livox Viewer 中标定</translation>
+        </message>
+        <message>
+            <source>%1 frame</source>
+            <translation>%1 帧</translation>
+        </message>
+        <message>
+            <source>%1 frames</source>
+            <translation>%1 帧</translation>
+        </message>
+        <message>
+            <source>%1 other device</source>
+            <translation>另外 %1 个设备</translation>
+        </message>
+        <message>
+            <source>%1 other devices</source>
+            <translation>另外 %1 个设备</translation>
+        </message>
+        <message>
+            <source>%1: %2, %3 and %4</source>
+            <translation>%1：%2，%3 和%4</translation>
+        </message>
+        <message>
+            <source>indexing packets</source>
+            <translation>为数据包建立索引</translation>
+        </message>
+        <message>
+            <source>%1 packet</source>
+            <translation>%1 个数据包</translation>
+        </message>
+        <message>
+            <source>%1 packets</source>
+            <translation>%1 个数据包</translation>
+        </message>
+        <message>
+            <source>about %1 lost of %2</source>
+            <translation>%2 个中约丢失%1</translation>
+        </message>
+        <message>
+            <source>%1 of the sensor lost</source>
+            <translation>传感器丢失%1</translation>
+        </message>
+        <message>
+            <source>%1 whole revolution</source>
+            <translation>整整 %1 圈</translation>
+        </message>
+        <message>
+            <source>%1 whole revolutions</source>
+            <translation>整整 %1 圈</translation>
+        </message>
+        <message>
+            <source>%1 lidar packet</source>
+            <translation>%1 个激光数据包</translation>
+        </message>
+        <message>
+            <source>%1 lidar packets</source>
+            <translation>%1 个激光数据包</translation>
+        </message>
+        <message>
+            <source>%1 recorded twice: each is read once</source>
+            <translation>%1重复记录：每个只读一次</translation>
+        </message>
+        <message>
+            <source>%1 time</source>
+            <translation>%1 次</translation>
+        </message>
+        <message>
+            <source>%1 times</source>
+            <translation>%1 次</translation>
+        </message>
+        <message>
+            <source>the clock of the sensor was set %1 during the recording: times go on without the jump, by the clock of the recorder</source>
+            <translation>记录期间传感器的时钟被调整%1：时间按记录器的时钟继续，不含跳变</translation>
+        </message>
+        <message>
+            <source>%1 out of order</source>
+            <translation>%1次序颠倒</translation>
+        </message>
+        <message>
+            <source>%1 to other UDP ports than %2 were skipped: choose one with the option port</source>
+            <translation>跳过了%1，其 UDP 端口不是 %2：请用选项 port 选择</translation>
+        </message>
+        <message>
+            <source>%1 of a second sensor were left out: those of number %2 are read</source>
+            <translation>第二个传感器的%1已舍去：读取编号为 %2 的传感器</translation>
+        </message>
+        <message>
+            <source>%1 of a sensor with another serial number than that in the JSON file (%2): its beams are not exact. Take the JSON file of this sensor</source>
+            <translation>%1来自另一传感器，其序列号与 JSON 文件中的（%2）不同：其光束不精确。请采用该传感器的 JSON 文件</translation>
+        </message>
+        <message>
+            <source>the JSON file does not name the product: range noise and beam are those of an %1, by the field of view</source>
+            <translation>JSON 文件没有给出产品名称：测距噪声和光束按视场角取自 %1</translation>
+        </message>
+        <message>
+            <source>%1 inertial sample</source>
+            <translation>%1 个惯性采样</translation>
+        </message>
+        <message>
+            <source>%1 inertial samples</source>
+            <translation>%1 个惯性采样</translation>
+        </message>
+        <message>
+            <source>%1 with the time of another one were left out</source>
+            <translation>%1与另一个时间相同，已舍去</translation>
+        </message>
+        <message>
+            <source>by the JSON file the inertial packets have a profile that is not read, and there are none of the one that is: set udp_profile_imu to LEGACY before the next recording</source>
+            <translation>按 JSON 文件，惯性数据包采用无法读取的格式，而可读的格式一个也没有：下次记录前请将 udp_profile_imu 设为 LEGACY</translation>
+        </message>
+        <message>
+            <source>%1 as long as those of the inertial unit, but to another port or with times that its clock never had, were left out</source>
+            <translation>%1与惯性单元的数据包等长，但发往其他端口，或其时间是该时钟从未有过的，已舍去</translation>
+        </message>
+        <message>
+            <source>the sensor's clock was set %1 during the recording; times continue without the jump</source>
+            <translation>记录期间传感器的时钟被调整%1；时间继续，不含跳变</translation>
+        </message>
+        <message>
+            <source>'%1' calibrates a %2, the capture is of a %3: it was left out</source>
+            <translation>“%1”标定的是 %2，而抓包来自 %3：已舍去</translation>
+        </message>
+        <message>
+            <source>every %1 is wired and calibrated by itself, and no calibration lies beside '%2': points may be decimetres off. Put the calibration of the unit (db.xml, or YAML of ROS) beside the capture</source>
+            <translation>每台 %1 的接线和标定各不相同，而“%2”旁没有标定文件：点可能偏差数分米。请将该设备的标定文件（db.xml，或 ROS 的 YAML）放在抓包文件旁</translation>
+        </message>
+        <message>
+            <source>%1 positions go back in time and are left out, %2 are kept: look whether two logs were joined, or the clock was set</source>
+            <translation>%1 个位置的时间倒退，已舍去，保留 %2 个：请检查是否合并了两份日志，或时钟被调整过</translation>
+        </message>
+        <message>
+            <source>%1 positions</source>
+            <translation>%1 个位置</translation>
+        </message>
+        <message>
+            <source>%1 gaps of more than %2 s, the longest %3 s</source>
+            <translation>%1 处超过 %2 s 的间断，最长 %3 s</translation>
+        </message>
+        <message>
+            <source>line %1 does not have the columns %2</source>
+            <translation>第 %1 行没有列 %2</translation>
+        </message>
+        <message>
+            <source>%1 sentences are skipped: %2 with a wrong checksum, %3 without a checksum, %4 with fields that cannot be read</source>
+            <translation>跳过了 %1 条语句：%2 条校验和错误，%3 条没有校验和，%4 条字段无法读取</translation>
+        </message>
+        <message>
+            <source>%1 sentences report no fix</source>
+            <translation>%1 条语句报告没有定位</translation>
+        </message>
+        <message>
+            <source>%1 epochs have positions of two talkers (%2) more than a metre apart: the log may hold two receivers. That of GN counts, else the first</source>
+            <translation>%1 个历元的两种发送标识（%2）的位置相差超过一米：日志可能含有两台接收机。以 GN 为准，否则以第一个为准</translation>
+        </message>
+        <message>
+            <source>writing tiles</source>
+            <translation>写出分块</translation>
+        </message>
+        <message>
+            <source>%1 points in %2 tiles of %3 m with buffers of %4 m, %5 of them repeated in buffers</source>
+            <translation>%1 个点分入 %2 个 %3 m 的分块，缓冲区 %4 m，其中 %5 个点在缓冲区内重复</translation>
+        </message>
+        <message>
+            <source>fx and fy of the camera have different signs: its axes, and those of the world, are left-handed, so that everything is mirrored</source>
+            <translation>相机的 fx 与 fy 符号不同：相机及世界坐标轴为左手系，因此一切成镜像</translation>
+        </message>
+        <message>
+            <source>the camera is not known: its focal length is a guess that serves calibration only</source>
+            <translation>相机未知：其焦距是只能用于标定的估计值</translation>
+        </message>
+        <message>
+            <source>camera.json has no depth_scale: 1000 units of the depth image per metre are assumed</source>
+            <translation>camera.json 没有 depth_scale：假定深度图像每米 1000 个单位</translation>
+        </message>
+        <message>
+            <source>camera.json has a depth camera and no depth_to_color: the two cameras are taken to be at one place</source>
+            <translation>camera.json 有深度相机而没有 depth_to_color：视为两台相机在同一位置</translation>
+        </message>
+        <message>
+            <source>%1 images are%2</source>
+            <translation>%1图像%2</translation>
+        </message>
+        <message>
+            <source>colour images are missing</source>
+            <translation>幅彩色图像缺失</translation>
+        </message>
+        <message>
+            <source>depth images are missing</source>
+            <translation>幅深度图像缺失</translation>
+        </message>
+        <message>
+            <source>mask images are missing</source>
+            <translation>幅掩膜图像缺失</translation>
+        </message>
+        <message>
+            <source>colour images are damaged</source>
+            <translation>幅彩色图像已损坏</translation>
+        </message>
+        <message>
+            <source>depth images are damaged</source>
+            <translation>幅深度图像已损坏</translation>
+        </message>
+        <message>
+            <source>mask images are damaged</source>
+            <translation>幅掩膜图像已损坏</translation>
+        </message>
+        <message>
+            <source>colour images have another size than the camera</source>
+            <translation>幅彩色图像的尺寸与相机不同</translation>
+        </message>
+        <message>
+            <source>depth images have another size than the camera</source>
+            <translation>幅深度图像的尺寸与相机不同</translation>
+        </message>
+        <message>
+            <source>mask images have another size than the camera</source>
+            <translation>幅掩膜图像的尺寸与相机不同</translation>
+        </message>
+        <message>
+            <source>colour images do not have one channel of 16 bits</source>
+            <translation>幅彩色图像不是单通道 16 位</translation>
+        </message>
+        <message>
+            <source>depth images do not have one channel of 16 bits</source>
+            <translation>幅深度图像不是单通道 16 位</translation>
+        </message>
+        <message>
+            <source>mask images do not have one channel of 16 bits</source>
+            <translation>幅掩膜图像不是单通道 16 位</translation>
+        </message>
+        <message>
+            <source>%1 is %2, the camera %3</source>
+            <translation>%1 为 %2，相机为 %3</translation>
+        </message>
+        <message>
+            <source>%1 has %2 of %3 bits</source>
+            <translation>%1 有 %2 个 %3 位通道</translation>
+        </message>
+        <message>
+            <source>%1 %2 (first: %3)</source>
+            <translation>%1 %2（第一个：%3）</translation>
+        </message>
+        <message>
+            <source>looking at images</source>
+            <translation>查看图像</translation>
+        </message>
+        <message>
+            <source>colour</source>
+            <translation>彩色</translation>
+        </message>
+        <message>
+            <source>these views are left out</source>
+            <translation>这些视图已舍去</translation>
+        </message>
+        <message>
+            <source>depth</source>
+            <translation>深度</translation>
+        </message>
+        <message>
+            <source>these views have no depth</source>
+            <translation>这些视图没有深度</translation>
+        </message>
+        <message>
+            <source>mask</source>
+            <translation>掩膜</translation>
+        </message>
+        <message>
+            <source>these views have no mask</source>
+            <translation>这些视图没有掩膜</translation>
+        </message>
+        <message>
+            <source>%1 is not used: %2 of its %3 poses have the time of a view. Views are at %4 s to %5 s, poses at %6 s to %7 s</source>
+            <translation>未采用 %1：其 %3 个位姿中有 %2 个与某个视图的时间相同。视图在 %4 s 至 %5 s，位姿在 %6 s 至 %7 s</translation>
+        </message>
+        <message>
+            <source>poses of %1 have no view</source>
+            <translation>个 %1 的位姿没有对应的视图</translation>
+        </message>
+        <message>
+            <source>views have no pose in %1</source>
+            <translation>个视图在 %1 中没有位姿</translation>
+        </message>
+        <message>
+            <source>the given poses are not used: %1</source>
+            <translation>未采用给定的位姿：%1</translation>
+        </message>
+        <message>
+            <source>%1 images are missing in the sequence of %2 (first: %3); the times of the others follow from their numbers</source>
+            <translation>%2 的序列中缺少 %1 幅图像（第一幅：%3）；其余图像的时间由其编号得出</translation>
+        </message>
+        <message>
+            <source>%1 images of %2 have no number as their name and are left out</source>
+            <translation>%2 的 %1 幅图像不以编号命名，已舍去</translation>
+        </message>
+        <message>
+            <source>%1 images of %2 repeat a number</source>
+            <translation>%2 的 %1 幅图像编号重复</translation>
+        </message>
+        <message>
+            <source>'%1' does not exist: the views have no depth</source>
+            <translation>“%1”不存在：视图没有深度</translation>
+        </message>
+        <message>
+            <source>'%1' holds no depth images: the views have no depth</source>
+            <translation>“%1”中没有深度图像：视图没有深度</translation>
+        </message>
+        <message>
+            <source>depth images have no colour image</source>
+            <translation>幅深度图像没有对应的彩色图像</translation>
+        </message>
+        <message>
+            <source>%1 is not used: it has %2 poses for %3 images with the numbers %4 to %5</source>
+            <translation>未采用 %1：它有 %2 个位姿，而图像有 %3 幅，编号为 %4 至 %5</translation>
+        </message>
+        <message>
+            <source>lengths are in the unit of %1, which need not be the metre: give a board or a known length</source>
+            <translation>长度以%1的单位计，未必是米：请给出标定板或已知长度</translation>
+        </message>
+        <message>
+            <source>the model of COLMAP</source>
+            <translation>COLMAP 模型</translation>
+        </message>
+        <message>
+            <source>the scale of the depth is not given: 1000 units per metre are assumed. Set depth_scale (ICL and TUM: 5000)</source>
+            <translation>没有给出深度的比例：假定每米 1000 个单位。请设置 depth_scale（ICL 和 TUM：5000）</translation>
+        </message>
+        <message>
+            <source>transforms.json is read, and the %1 files beside it are not</source>
+            <translation>读取 transforms.json，其旁的 %1 个文件不读取</translation>
+        </message>
+        <message>
+            <source>they have no pose</source>
+            <translation>它们没有位姿</translation>
+        </message>
+        <message>
+            <source>views have a matrix that is no rigid motion</source>
+            <translation>个视图的矩阵不是刚体运动</translation>
+        </message>
+        <message>
+            <source>depth is not registered to colour, and the metadata do not say where the two cameras are: they are taken to be at one place. Export aligned depth, or write camera.json</source>
+            <translation>深度没有与彩色配准，元数据也没有说明两台相机的位置：视为在同一位置。请导出对齐的深度，或编写 camera.json</translation>
+        </message>
+        <message>
+            <source>views have no depth image</source>
+            <translation>个视图没有深度图像</translation>
+        </message>
+        <message>
+            <source>there are no images NAME_Depth_TIME.png: the views have no depth</source>
+            <translation>没有名为 NAME_Depth_TIME.png 的图像：视图没有深度</translation>
+        </message>
+        <message>
+            <source>files of metadata cannot be used</source>
+            <translation>个元数据文件不能使用</translation>
+        </message>
+        <message>
+            <source>their images are left out</source>
+            <translation>其图像已舍去</translation>
+        </message>
+        <message>
+            <source>%1 poses are those that the arm was sent to, not measured: estimate the poses from the images</source>
+            <translation>%1 个位姿是机械臂的指令位姿，不是测得的：请由图像估计位姿</translation>
+        </message>
+        <message>
+            <source>there are no files of poses</source>
+            <translation>没有位姿文件</translation>
+        </message>
+        <message>
+            <source>views have no file of their pose</source>
+            <translation>个视图没有位姿文件</translation>
+        </message>
+        <message>
+            <source>views were lost by the tracker that made the poses</source>
+            <translation>个视图被生成位姿的跟踪器跟丢</translation>
+        </message>
+        <message>
+            <source>files of poses are no matrix of 4 x 4 numbers</source>
+            <translation>个位姿文件不是 4 x 4 的数值矩阵</translation>
+        </message>
+        <message>
+            <source>there is no intrinsic_color.txt: colour is taken to be registered to depth</source>
+            <translation>没有 intrinsic_color.txt：视为彩色已与深度配准</translation>
+        </message>
+        <message>
+            <source>the folder</source>
+            <translation>文件夹</translation>
+        </message>
+        <message>
+            <source>there is no camera-intrinsics.txt: the depth camera of 7-Scenes is taken (585, 585, 320, 240)</source>
+            <translation>没有 camera-intrinsics.txt：采用 7-Scenes 的深度相机（585, 585, 320, 240）</translation>
+        </message>
+        <message>
+            <source>left out</source>
+            <translation>已舍去</translation>
+        </message>
+        <message>
+            <source>views have the time of another one</source>
+            <translation>个视图与另一个视图时间相同</translation>
+        </message>
+        <message>
+            <source>views have no depth image within 20 ms</source>
+            <translation>个视图在 20 ms 内没有深度图像</translation>
+        </message>
+        <message>
+            <source>the camera is %1, by the name of the recording; camera=FILE gives another one</source>
+            <translation>按记录的名称，相机为 %1；camera=FILE 可指定其他相机</translation>
+        </message>
+        <message>
+            <source>the depth images that were looked at hold no depth</source>
+            <translation>检查的深度图像中没有深度</translation>
+        </message>
+        <message>
+            <source>half of the depth lies beyond %1 m with %2 units per metre. If that is wrong, set depth_scale (1000: millimetres)</source>
+            <translation>按每米 %2 个单位，一半的深度超过 %1 m。如果不对，请设置 depth_scale（1000：毫米）</translation>
+        </message>
+        <message>
+            <source>the option crs has no effect: the positions of the file are no longitudes and latitudes</source>
+            <translation>选项 crs 不起作用：文件中的位置不是经度和纬度</translation>
+        </message>
+        <message>
+            <source>the path was projected to %1; its heights are above the ellipsoid, unless crs has a height system. Those of the points must be the same</source>
+            <translation>路径已投影到 %1；除非 crs 含有高程系统，其高度为椭球高。点的坐标系必须相同</translation>
+        </message>
+        <message>
+            <source>%1 rows, %2 columns</source>
+            <translation>%1 行，%2 列</translation>
+        </message>
+        <message>
+            <source>, given in memory</source>
+            <translation>，由内存给出</translation>
+        </message>
+        <message>
+            <source>%1 poses repeat the time of an earlier one and were left out</source>
+            <translation>%1 个位姿的时间与更早的相同，已舍去</translation>
+        </message>
+        <message>
+            <source>%1 records cannot be (times, angles or heights out of range) and were left out</source>
+            <translation>%1 条记录不可能成立（时间、角度或高度超出范围），已舍去</translation>
+        </message>
+        <message>
+            <source>the file ends within a record: it was cut off, and the end of the path may be missing</source>
+            <translation>文件在一条记录的中间结束：它被截断，路径的末尾可能缺失</translation>
+        </message>
+        <message>
+            <source>orientations of the path are not known: only its positions can be used</source>
+            <translation>路径的姿态未知：只能使用其位置</translation>
+        </message>
+        <message>
+            <source>%1 poses</source>
+            <translation>%1 个位姿</translation>
+        </message>
+        <message>
+            <source>%1 x %2 cells of %3 m</source>
+            <translation>%1 x %2 个单元，每个 %3 m</translation>
+        </message>
+    </context>
+    <context>
+        <name>pipeline</name>
+        <message>
+            <source>%1 has an unknown key '%2'</source>
+            <translation>%1 有未知的键“%2”</translation>
+        </message>
+        <message>
+            <source>one of the keys that `bole stages --schema` lists</source>
+            <translation>`bole stages --schema` 列出的键之一</translation>
+        </message>
+        <message>
+            <source>%1: 'description' is %2</source>
+            <translation>%1：“description”为 %2</translation>
+        </message>
+        <message>
+            <source>%1: 'id' is %2</source>
+            <translation>%1：“id”为 %2</translation>
+        </message>
+        <message>
+            <source>%1: 'title' is %2</source>
+            <translation>%1：“title”为 %2</translation>
+        </message>
+        <message>
+            <source>%1: 'type' is %2</source>
+            <translation>%1：“type”为 %2</translation>
+        </message>
+        <message>
+            <source>option %1 is %2</source>
+            <translation>选项 %1 为 %2</translation>
+        </message>
+        <message>
+            <source>an object with id, type, inputs, options</source>
+            <translation>含 id、type、inputs、options 的对象</translation>
+        </message>
+        <message>
+            <source>stage %1 is %2</source>
+            <translation>步骤 %1 为 %2</translation>
+        </message>
+        <message>
+            <source>a name without a dot</source>
+            <translation>不含点号的名称</translation>
+        </message>
+        <message>
+            <source>stage %1 has the id '%2'</source>
+            <translation>步骤 %1 的 id 为“%2”</translation>
+        </message>
+        <message>
+            <source>stage %1</source>
+            <translation>步骤 %1</translation>
+        </message>
+        <message>
+            <source>stage '%1'</source>
+            <translation>步骤“%1”</translation>
+        </message>
+        <message>
+            <source>'optional' is %1</source>
+            <translation>“optional”为 %1</translation>
+        </message>
+        <message>
+            <source>'inputs' is %1</source>
+            <translation>“inputs”为 %1</translation>
+        </message>
+        <message>
+            <source>an object of port: "id.port"</source>
+            <translation>port: "id.port" 形式的对象</translation>
+        </message>
+        <message>
+            <source>a text "id.port"</source>
+            <translation>文本 "id.port"</translation>
+        </message>
+        <message>
+            <source>input '%1' is %2</source>
+            <translation>输入“%1”为 %2</translation>
+        </message>
+        <message>
+            <source>'options' is %1</source>
+            <translation>“options”为 %1</translation>
+        </message>
+        <message>
+            <source>an object of option: value</source>
+            <translation>option: value 形式的对象</translation>
+        </message>
+        <message>
+            <source>"id.port" of another stage</source>
+            <translation>另一步骤的 "id.port"</translation>
+        </message>
+        <message>
+            <source>a pipeline document</source>
+            <translation>处理流程文档</translation>
+        </message>
+        <message>
+            <source>not a JSON text: %1</source>
+            <translation>不是 JSON 文本：%1</translation>
+        </message>
+        <message>
+            <source>an object with a list "stages"</source>
+            <translation>含列表 "stages" 的对象</translation>
+        </message>
+        <message>
+            <source>no list of stages</source>
+            <translation>没有步骤列表</translation>
+        </message>
+        <message>
+            <source>the document</source>
+            <translation>文档</translation>
+        </message>
+        <message>
+            <source>different ids</source>
+            <translation>不同的 id</translation>
+        </message>
+        <message>
+            <source>two stages have the id '%1'</source>
+            <translation>两个步骤的 id 都是“%1”</translation>
+        </message>
+        <message>
+            <source>the document has no stage</source>
+            <translation>文档没有步骤</translation>
+        </message>
+        <message>
+            <source>a readable JSON file</source>
+            <translation>可读的 JSON 文件</translation>
+        </message>
+        <message>
+            <source>cannot open the pipeline '%1'</source>
+            <translation>无法打开处理流程“%1”</translation>
+        </message>
+        <message>
+            <source>the pipeline has no stage '%1'</source>
+            <translation>处理流程没有步骤“%1”</translation>
+        </message>
+        <message>
+            <source>stage '%1' takes its own output</source>
+            <translation>步骤“%1”以自己的输出为输入</translation>
+        </message>
+        <message>
+            <source>stages joined without a circle</source>
+            <translation>没有循环的步骤连接</translation>
+        </message>
+        <message>
+            <source>Choose another folder, move the file away, or allow that it is written over (--force)</source>
+            <translation>请选择另一文件夹，移走该文件，或允许覆盖（--force）</translation>
+        </message>
+        <message>
+            <source>'%1' is a file</source>
+            <translation>“%1”是文件</translation>
+        </message>
+        <message>
+            <source>Give another --out DIR</source>
+            <translation>请给出另一个 --out DIR</translation>
+        </message>
+        <message>
+            <source>a folder for the results</source>
+            <translation>存放结果的文件夹</translation>
+        </message>
+        <message>
+            <source>cannot make the folder '%1': %2</source>
+            <translation>无法创建文件夹“%1”：%2</translation>
+        </message>
+        <message>
+            <source>cannot find the folder '%1': %2</source>
+            <translation>找不到文件夹“%1”：%2</translation>
+        </message>
+        <message>
+            <source>cannot write into the folder '%1': %2</source>
+            <translation>无法写入文件夹“%1”：%2</translation>
+        </message>
+        <message>
+            <source>'%1' is a folder</source>
+            <translation>“%1”是文件夹</translation>
+        </message>
+        <message>
+            <source>Move it away or choose another folder</source>
+            <translation>请移走它或选择另一文件夹</translation>
+        </message>
+        <message>
+            <source>a name that is free for a result</source>
+            <translation>可用于结果的名称</translation>
+        </message>
+        <message>
+            <source>a folder without them</source>
+            <translation>不含这些文件的文件夹</translation>
+        </message>
+        <message>
+            <source>the folder '%1' holds files that no run of Bole wrote and that have the names of results: %2</source>
+            <translation>文件夹“%1”含有并非由 Bole 写出、但与结果同名的文件：%2</translation>
+        </message>
+        <message>
+            <source>a name that is free: results go into a folder of that name</source>
+            <translation>可用的名称：结果存入该名称的文件夹</translation>
+        </message>
+        <message>
+            <source>'%1' was not written by Bole</source>
+            <translation>“%1”不是由 Bole 写出的</translation>
+        </message>
+        <message>
+            <source>'%1' was changed since Bole wrote it and cannot be kept: %2</source>
+            <translation>“%1”在 Bole 写出后被改动，且无法保存：%2</translation>
+        </message>
+        <message>
+            <source>space for a copy</source>
+            <translation>存放副本的空间</translation>
+        </message>
+        <message>
+            <source>%1 was changed after Bole wrote it: the changed file is kept as %2, and this survey does not hold what was typed into it</source>
+            <translation>%1 在 Bole 写出后被改动：改动过的文件保存为 %2，此次调查不含其中填入的内容</translation>
+        </message>
+        <message>
+            <source>input '%1' is not connected</source>
+            <translation>输入“%1”未连接</translation>
+        </message>
+        <message>
+            <source>input '%1' is a %2</source>
+            <translation>输入“%1”是 %2</translation>
+        </message>
+        <message>
+            <source>less data at once</source>
+            <translation>一次处理较少的数据</translation>
+        </message>
+        <message>
+            <source>out of memory</source>
+            <translation>内存不足</translation>
+        </message>
+        <message>
+            <source>Set its option with the path</source>
+            <translation>请设置其路径选项</translation>
+        </message>
+        <message>
+            <source>a file</source>
+            <translation>文件</translation>
+        </message>
+        <message>
+            <source>the stage takes no data from memory</source>
+            <translation>该步骤不接受内存中的数据</translation>
+        </message>
+        <message>
+            <source>a %1 was given</source>
+            <translation>给出的是 %1</translation>
+        </message>
+        <message>
+            <source>one of the readers that do</source>
+            <translation>能如此读取的步骤之一</translation>
+        </message>
+        <message>
+            <source>the stage gives no pieces</source>
+            <translation>该步骤不分块给出</translation>
+        </message>
+        <message>
+            <source>a name of its own for each</source>
+            <translation>各自不同的名称</translation>
+        </message>
+        <message>
+            <source>there are two stage types '%1'</source>
+            <translation>有两个步骤类型“%1”</translation>
+        </message>
+        <message>
+            <source>one that `bole stages` lists</source>
+            <translation>`bole stages` 列出的类型之一</translation>
+        </message>
+        <message>
+            <source>there is no stage type '%1'</source>
+            <translation>没有步骤类型“%1”</translation>
+        </message>
+    </context>
+    <context>
+        <name>plant</name>
+        <message>
+            <source>Edit %1 (%2) was not applied: %3.</source>
+            <translation>第 %1 项编辑（%2）未应用：%3。</translation>
+        </message>
+        <message>
+            <source>%1 of %2 edits applied</source>
+            <translation>应用了 %2 项编辑中的 %1 项</translation>
+        </message>
+        <message>
+            <source>assign</source>
+            <translation>指定</translation>
+        </message>
+        <message>
+            <source>finding where to look</source>
+            <translation>确定查找范围</translation>
+        </message>
+        <message>
+            <source>Voxels of %1 mm need more than %2 MiB: %3 mm were used. Give a smaller region or more memory.</source>
+            <translation>%1 mm 的体素需要超过 %2 MiB：采用 %3 mm。请给出更小的区域或更多内存。</translation>
+        </message>
+        <message>
+            <source>rendering depth</source>
+            <translation>渲染深度</translation>
+        </message>
+        <message>
+            <source>reading views</source>
+            <translation>读取视图</translation>
+        </message>
+        <message>
+            <source>The stem could not be followed from its foot: leaves and internodes were not measured. Look at the base of the plant.</source>
+            <translation>无法从基部沿茎追踪：未测叶片和节间。请检查植株的基部。</translation>
+        </message>
+        <message>
+            <source>%1 of %2 leaves touch others, or are hidden in part: their rows say check.</source>
+            <translation>%2 片叶中有 %1 片与其他叶接触或部分被遮挡：其所在行标为 check。</translation>
+        </message>
+        <message>
+            <source>%1 of %2 leaves hang on others: the cloud is too coarse or too thick to tell leaves and stem apart. Number and area of the leaves and the length of the stem are left out; do not use the tables of leaves and internodes.</source>
+            <translation>%2 片叶中有 %1 片长在其他叶上：点云太粗或太厚，无法区分叶与茎。叶的数量和面积以及茎的长度不给出；请勿使用叶和节间的表。</translation>
+        </message>
+        <message>
+            <source>The plant's points lie too far apart: %1 gaps between them were bridged. Do not use the leaves and internodes.</source>
+            <translation>植株的点相距太远：连接了其间的 %1 处间隙。请勿使用叶和节间的数据。</translation>
+        </message>
+        <message>
+            <source>%1 % of the plant's points are not connected with its stem: leaves may be missing, and the leaf area is a lower bound.</source>
+            <translation>植株的点有 %1 % 与茎不相连：可能缺少叶片，叶面积为下限。</translation>
+        </message>
+        <message>
+            <source>stem and leaves</source>
+            <translation>茎和叶</translation>
+        </message>
+        <message>
+            <source>leaves</source>
+            <translation>叶片</translation>
+        </message>
+        <message>
+            <source>matching views</source>
+            <translation>匹配视图</translation>
+        </message>
+        <message>
+            <source>No three views agree on a point. Views need texture, poses, and angles of 2 to 40 degrees between them.</source>
+            <translation>没有三个视图在任何一点上一致。视图需要纹理、位姿以及彼此间 2 至 40 度的夹角。</translation>
+        </message>
+        <message>
+            <source>The plant begins %1 mm above the soil: the lower stem is missing in the cloud.</source>
+            <translation>植株从土壤以上 %1 mm 处开始：点云缺少茎的下部。</translation>
+        </message>
+        <message>
+            <source>%1 points of the plant, %2 floaters</source>
+            <translation>植株 %1 个点，悬浮点 %2 个</translation>
+        </message>
+        <message>
+            <source>The scale of the cloud is unknown: traits are in thousandths of its unit, not in millimetres. Use a board (mat.json), a depth camera, or set scale=metres.</source>
+            <translation>点云的比例未知：性状以其单位的千分之一计，而不是毫米。请使用标定板（mat.json）、深度相机，或设置 scale=metres。</translation>
+        </message>
+        <message>
+            <source>The scene is %1 m across, which no potted seedling is: check the unit.</source>
+            <translation>场景宽达 %1 m，盆栽幼苗不会如此：请检查单位。</translation>
+        </message>
+        <message>
+            <source>No table, mat or soil was found that shows which way is up: z is taken. Check it, or set up.</source>
+            <translation>没有找到能表明哪个方向朝上的桌面、垫板或土壤：取 z 轴。请检查，或设置 up。</translation>
+        </message>
+        <message>
+            <source>The cloud has no stem near the soil: the middle of the pot is taken for its foot. Set base where that is wrong.</source>
+            <translation>点云在土壤附近没有茎：以盆的中心为茎的基部。如果不对，请设置 base。</translation>
+        </message>
+        <message>
+            <source>No round pot was found. Heights are counted from the level surface below the plant; check the soil, or set base.</source>
+            <translation>没有找到圆形的盆。高度自植株下方的水平面起算；请检查土壤，或设置 base。</translation>
+        </message>
+        <message>
+            <source>No soil was found: heights are counted from the lowest point of the cloud.</source>
+            <translation>没有找到土壤：高度自点云的最低点起算。</translation>
+        </message>
+        <message>
+            <source>The soil in the pot was not found: heights are counted from the rim.</source>
+            <translation>没有找到盆中的土壤：高度自盆沿起算。</translation>
+        </message>
+        <message>
+            <source>comparing views</source>
+            <translation>比较视图</translation>
+        </message>
+        <message>
+            <source>%1 of %2 views have no pose and are left out.</source>
+            <translation>%2 个视图中有 %1 个没有位姿，已舍去。</translation>
+        </message>
+        <message>
+            <source>Few places are seen by %1 % of the views: the region holds what %2 % see. Give the region with the option 'region' where it is wrong.</source>
+            <translation>很少有地方被 %1 % 的视图看到：区域取 %2 % 的视图所见的范围。如果不对，请用选项“region”给出区域。</translation>
+        </message>
+        <message>
+            <source>finding the surfaces</source>
+            <translation>查找表面</translation>
+        </message>
+        <message>
+            <source>Voxels of %1 mm need more than %2 MiB: %3 mm were used. Give a smaller region, or more memory.</source>
+            <translation>%1 mm 的体素需要超过 %2 MiB：采用 %3 mm。请给出更小的区域，或更多内存。</translation>
+        </message>
+        <message>
+            <source>fusing depth</source>
+            <translation>融合深度</translation>
+        </message>
+        <message>
+            <source>The training went on after step %1 of %2, from %3.</source>
+            <translation>训练从 %2 步中的第 %1 步之后继续，取自 %3。</translation>
+        </message>
+        <message>
+            <source>step %1, training %2 dB, held out %3 dB</source>
+            <translation>第 %1 步，训练 %2 dB，保留视图 %3 dB</translation>
+        </message>
+        <message>
+            <source>The training used up its %1 s after %2 of %3 steps. Raise max_seconds for a sharper field; a run that is ended by time is not repeated to the digit.</source>
+            <translation>训练在 %3 步中的第 %2 步之后用完了 %1 s。要得到更清晰的辐射场，请增大 max_seconds；因时间而结束的运行不能逐位重复。</translation>
+        </message>
+        <message>
+            <source>The field of step %1 shows the views kept back better than that of step %2, and was kept.</source>
+            <translation>第 %1 步的辐射场比第 %2 步的更好地再现保留的视图，因此予以保留。</translation>
+        </message>
+        <message>
+            <source>%1 steps, no views kept back</source>
+            <translation>%1 步，没有保留的视图</translation>
+        </message>
+        <message>
+            <source>No views were kept back, so nothing tells how good the field is.</source>
+            <translation>没有保留视图，因此无法得知辐射场的好坏。</translation>
+        </message>
+        <message>
+            <source>%1 steps, %2 dB on %3 views kept back</source>
+            <translation>%1 步，在 %3 个保留的视图上为 %2 dB</translation>
+        </message>
+        <message>
+            <source>Views kept back are shown with %1 dB only (28 or more is usual): sizes may be farther off than their intervals say. Train longer, or check the poses, the region, and whether the plant moved.</source>
+            <translation>保留的视图只以 %1 dB 再现（通常为 28 或更高）：尺寸的偏差可能大于其区间。请延长训练，或检查位姿、区域以及植株是否移动过。</translation>
+        </message>
+        <message>
+            <source>testing on the views kept back</source>
+            <translation>用保留的视图检验</translation>
+        </message>
+        <message>
+            <source>room for the plant in the pictures</source>
+            <translation>植株在图像中的范围</translation>
+        </message>
+        <message>
+            <source>outlines in the pictures</source>
+            <translation>图像中的轮廓</translation>
+        </message>
+        <message>
+            <source>The cloud has points beside the plant or lacks parts of it: height and breadth are those of the plant's outlines in the pictures. Clouds of depth alone are like this; plant.field makes better ones.</source>
+            <translation>点云在植株旁有多余的点或缺少植株的一部分：高度和冠幅取自植株在图像中的轮廓。只由深度得到的点云就是这样；plant.field 能得到更好的点云。</translation>
+        </message>
+        <message>
+            <source>The pictures show parts of the plant's colour that nothing in the cloud connects with it, above it: leaves that the cloud lacks, or something else. The intervals of height and breadth reach to them. plant.field makes clouds that have them.</source>
+            <translation>图像在植株上方显示具有植株颜色的部分，但点云中没有与之相连的内容：点云缺少的叶片，或其他东西。高度和冠幅的区间包括这些部分。plant.field 得到的点云含有它们。</translation>
+        </message>
+        <message>
+            <source>The pictures show parts of the plant's colour that nothing in the cloud connects with it, beside it: leaves that the cloud lacks, or something else. The intervals of height and breadth reach to them. plant.field makes clouds that have them.</source>
+            <translation>图像在植株旁边显示具有植株颜色的部分，但点云中没有与之相连的内容：点云缺少的叶片，或其他东西。高度和冠幅的区间包括这些部分。plant.field 得到的点云含有它们。</translation>
+        </message>
+        <message>
+            <source>The plant reaches the border of what was reconstructed, or of the pictures. Height and breadth are those of a part: the value is a lower bound. Too few views see the rest; take views that show all of the plant, or give a larger region to plant.field.</source>
+            <translation>植株伸到重建范围或图像的边缘。高度和冠幅只是其一部分的：该值为下限。看到其余部分的视图太少；请拍摄能看到整株的视图，或为 plant.field 给出更大的区域。</translation>
+        </message>
+        <message>
+            <source>The plant reaches the border of what was reconstructed, or of the pictures. The breadth is that of a part: the value is a lower bound. Too few views see the rest; take views that show all of the plant, or give a larger region to plant.field.</source>
+            <translation>植株伸到重建范围或图像的边缘。冠幅只是其一部分的：该值为下限。看到其余部分的视图太少；请拍摄能看到整株的视图，或为 plant.field 给出更大的区域。</translation>
+        </message>
+        <message>
+            <source>The plant reaches the border of what was reconstructed, or of the pictures. The height is that of a part: the value is a lower bound. Too few views see the rest; take views that show all of the plant, or give a larger region to plant.field.</source>
+            <translation>植株伸到重建范围或图像的边缘。高度只是其一部分的：该值为下限。看到其余部分的视图太少；请拍摄能看到整株的视图，或为 plant.field 给出更大的区域。</translation>
+        </message>
+        <message>
+            <source>stem contours</source>
+            <translation>茎的轮廓</translation>
+        </message>
+        <message>
+            <source>tips in the pictures</source>
+            <translation>图像中的叶尖</translation>
+        </message>
+        <message>
+            <source>not measured</source>
+            <translation>未测</translation>
+        </message>
+        <message>
+            <source>at least %1 mm</source>
+            <translation>至少 %1 mm</translation>
+        </message>
+        <message>
+            <source>%1 mm (%2 to %3)</source>
+            <translation>%1 mm（%2 至 %3）</translation>
+        </message>
+        <message>
+            <source>height %1, breadth %2 x %3, stem %4</source>
+            <translation>高 %1，冠幅 %2 x %3，茎 %4</translation>
+        </message>
+        <message>
+            <source>stem</source>
+            <translation>茎</translation>
+        </message>
+        <message>
+            <source>stem above the height of measurement</source>
+            <translation>测量高度以上的茎</translation>
+        </message>
+        <message>
+            <source>The scale of the cloud is unknown: the columns in mm hold thousandths of its unit.</source>
+            <translation>点云的比例未知：以 mm 为单位的各列是其单位的千分之一。</translation>
+        </message>
+        <message>
+            <source>The cloud has no stem around the height of measurement: it is looked for in the pictures above its foot.</source>
+            <translation>点云在测量高度附近没有茎：在图像中从基部向上查找。</translation>
+        </message>
+        <message>
+            <source>no views or poses are connected</source>
+            <translation>未连接视图或位姿</translation>
+        </message>
+        <message>
+            <source>fewer than three views have a pose</source>
+            <translation>有位姿的视图不足三个</translation>
+        </message>
+        <message>
+            <source>the pictures show its edges in %1 views only</source>
+            <translation>只有 %1 个视图的图像显示其边缘</translation>
+        </message>
+        <message>
+            <source>The cloud's stem is much thinner than the pictures': look at the contours.</source>
+            <translation>点云中的茎比图像中的细得多：请检查轮廓。</translation>
+        </message>
+        <message>
+            <source>The diameter of the stem is unusual: look at the contours.</source>
+            <translation>茎的直径异常：请检查轮廓。</translation>
+        </message>
+        <message>
+            <source>The stem was not measured: the cloud has none at its height, and %1.</source>
+            <translation>茎未测：点云在其高度处没有茎，且%1。</translation>
+        </message>
+        <message>
+            <source>The stem was not measured: the cloud has none at its height, and contours were not asked for.</source>
+            <translation>茎未测：点云在其高度处没有茎，且未要求用轮廓测量。</translation>
+        </message>
+        <message>
+            <source>The stem was measured in the cloud, since %1. Clouds made of depth show thin stems too wide; the interval says by how much.</source>
+            <translation>茎在点云中测量，因为%1。由深度得到的点云使细茎显得过粗；区间给出其程度。</translation>
+        </message>
+        <message>
+            <source>The cloud has the plant in pieces, and no pictures tell what it lacks: the breadth is a lower bound.</source>
+            <translation>植株在点云中断成几块，又没有图像说明缺少什么：冠幅为下限。</translation>
+        </message>
+        <message>
+            <source>The depth images show no surface in the region: check the poses and the depth scale.</source>
+            <translation>深度图像在区域内没有表面：请检查位姿和深度比例。</translation>
+        </message>
+        <message>
+            <source>%1 surface points from %2 views</source>
+            <translation>由 %2 个视图得到 %1 个表面点</translation>
+        </message>
+        <message>
+            <source>No two views agree on a surface: check the poses, the region and the number of views.</source>
+            <translation>没有两个视图在任何表面上一致：请检查位姿、区域和视图的数量。</translation>
+        </message>
+        <message>
+            <source>%1 x %2 pixels</source>
+            <translation>%1 x %2 像素</translation>
+        </message>
+        <message>
+            <source>%1 points from %2 views</source>
+            <translation>由 %2 个视图得到 %1 个点</translation>
+        </message>
+    </context>
+    <context>
+        <name>render</name>
+        <message>
+            <source>sorting points for display</source>
+            <translation>为显示整理点</translation>
+        </message>
+    </context>
+    <context>
+        <name>report</name>
+        <message>
+            <source>position errors</source>
+            <translation>位置误差图</translation>
+        </message>
+        <message>
+            <source>diameters</source>
+            <translation>直径图</translation>
+        </message>
+        <message>
+            <source>diameter errors</source>
+            <translation>直径误差图</translation>
+        </message>
+        <message>
+            <source>positions</source>
+            <translation>位置图</translation>
+        </message>
+        <message>
+            <source>paths on the cloud</source>
+            <translation>点云上的路径图</translation>
+        </message>
+        <message>
+            <source>slices</source>
+            <translation>横切面图</translation>
+        </message>
+        <message>
+            <source>loop closures</source>
+            <translation>回环</translation>
+        </message>
+        <message>
+            <source>, read report.html first</source>
+            <translation>，请先阅读 report.html</translation>
+        </message>
+        <message>
+            <source>asked to finish early: figures are left out</source>
+            <translation>应要求提前结束：不绘制图</translation>
+        </message>
+        <message>
+            <source>draw %1</source>
+            <translation>绘制%1</translation>
+        </message>
+        <message>
+            <source>points</source>
+            <translation>点</translation>
+        </message>
+        <message>
+            <source>frame %1 of %2</source>
+            <translation>%2 帧中的第 %1 帧</translation>
+        </message>
+        <message>
+            <source>%1 frames of %2 x %3 pixels</source>
+            <translation>%1 帧，%2 x %3 像素</translation>
+        </message>
+        <message>
+            <source>there is no video: ffmpeg is not in PATH. Install it, or make the video from flythrough/ elsewhere</source>
+            <translation>没有视频：PATH 中没有 ffmpeg。请安装它，或在别处由 flythrough/ 制作视频</translation>
+        </message>
+        <message>
+            <source>video</source>
+            <translation>视频</translation>
+        </message>
+        <message>
+            <source>report</source>
+            <translation>报告</translation>
+        </message>
+        <message>
+            <source>write %1</source>
+            <translation>写出%1</translation>
+        </message>
+        <message>
+            <source>the 3-D maps could not be drawn: %1</source>
+            <translation>无法绘制三维地图：%1</translation>
+        </message>
+        <message>
+            <source>no point was found to be of the plant: cloud.ply has all points</source>
+            <translation>没有点被判为植株：cloud.ply 含全部点</translation>
+        </message>
+        <message>
+            <source>plant</source>
+            <translation>植株</translation>
+        </message>
+        <message>
+            <source>stem in depth</source>
+            <translation>深度中的茎</translation>
+        </message>
+        <message>
+            <source>matches</source>
+            <translation>匹配</translation>
+        </message>
+        <message>
+            <source>held-out views</source>
+            <translation>保留的视图</translation>
+        </message>
+        <message>
+            <source>making of the field</source>
+            <translation>辐射场的生成过程</translation>
+        </message>
+        <message>
+            <source>%1 could not be written: %2</source>
+            <translation>无法写出%1：%2</translation>
+        </message>
+        <message>
+            <source>, no GeoJSON: the place on the earth is not known</source>
+            <translation>，没有 GeoJSON：在地球上的位置未知</translation>
+        </message>
+        <message>
+            <source>%1 files%2</source>
+            <translation>%1 个文件%2</translation>
+        </message>
+        <message>
+            <source>the map</source>
+            <translation>地图</translation>
+        </message>
+        <message>
+            <source>the growth</source>
+            <translation>生长量</translation>
+        </message>
+        <message>
+            <source>curves</source>
+            <translation>曲线</translation>
+        </message>
+        <message>
+            <source>error curves</source>
+            <translation>误差曲线</translation>
+        </message>
+        <message>
+            <source>map by height</source>
+            <translation>按高度着色的地图</translation>
+        </message>
+        <message>
+            <source>map by tree</source>
+            <translation>按单木着色的地图</translation>
+        </message>
+        <message>
+            <source>map by intensity</source>
+            <translation>按强度着色的地图</translation>
+        </message>
+        <message>
+            <source>map from above</source>
+            <translation>俯视地图</translation>
+        </message>
+        <message>
+            <source>hero</source>
+            <translation>标题图</translation>
+        </message>
+        <message>
+            <source>heights over diameters</source>
+            <translation>树高-直径图</translation>
+        </message>
+        <message>
+            <source>taper</source>
+            <translation>尖削度图</translation>
+        </message>
+        <message>
+            <source>terrain</source>
+            <translation>地形图</translation>
+        </message>
+        <message>
+            <source>canopy height</source>
+            <translation>冠层高度图</translation>
+        </message>
+        <message>
+            <source>stem map</source>
+            <translation>单木分布图</translation>
+        </message>
+        <message>
+            <source>diameter distribution</source>
+            <translation>径阶分布图</translation>
+        </message>
+        <message>
+            <source>check of the map</source>
+            <translation>地图检查图</translation>
+        </message>
+        <message>
+            <source>estimated against reference diameter</source>
+            <translation>估计直径与参照直径对比图</translation>
+        </message>
+        <message>
+            <source>walk</source>
+            <translation>行走路径图</translation>
+        </message>
+        <message>
+            <source>walk and reference</source>
+            <translation>行走路径与参照图</translation>
+        </message>
+        <message>
+            <source>errors of the walk</source>
+            <translation>行走路径误差图</translation>
+        </message>
+        <message>
+            <source>breast-height slices</source>
+            <translation>胸高横切面图</translation>
+        </message>
+    </context>
+    <context>
+        <name>rgbd</name>
+        <message>
+            <source>first square black, markers counted from the lower row</source>
+            <translation>首格为黑色，标志从下行起编号</translation>
+        </message>
+        <message>
+            <source>first square black, markers counted from the upper row</source>
+            <translation>首格为黑色，标志从上行起编号</translation>
+        </message>
+        <message>
+            <source>first square white, markers counted from the lower row</source>
+            <translation>首格为白色，标志从下行起编号</translation>
+        </message>
+        <message>
+            <source>first square white, markers counted from the upper row</source>
+            <translation>首格为白色，标志从上行起编号</translation>
+        </message>
+        <message>
+            <source>looking for the board</source>
+            <translation>查找标定板</translation>
+        </message>
+        <message>
+            <source>depth camera: %1</source>
+            <translation>深度相机：%1</translation>
+        </message>
+        <message>
+            <source>%1 pairs of views give the depth camera another place and are left out</source>
+            <translation>%1 对视图给出的深度相机位置不同，已舍去</translation>
+        </message>
+        <message>
+            <source>%1 of %2 views, residual %3 px</source>
+            <translation>%2 个视图中的 %1 个，残差 %3 px</translation>
+        </message>
+        <message>
+            <source>reading the depth of the boards</source>
+            <translation>读取标定板的深度</translation>
+        </message>
+        <message>
+            <source>%1 views have depth on the board; %2 are needed: the depth is left as it is</source>
+            <translation>%1 个视图在标定板上有深度；需要 %2 个：深度保持不变</translation>
+        </message>
+        <message>
+            <source>the boards leave the place of the depth camera open (standard deviation %1 mm): the depth stays as given. Tilt the boards more</source>
+            <translation>标定板不能确定深度相机的位置（标准差 %1 mm）：深度保持给定值。请使标定板更加倾斜</translation>
+        </message>
+        <message>
+            <source>%1 views do not fit the others and are left out: %2</source>
+            <translation>%1 个视图与其余不符，已舍去：%2</translation>
+        </message>
+        <message>
+            <source>%1 views were used; 20 make a good calibration</source>
+            <translation>使用了 %1 个视图；20 个才能得到好的标定</translation>
+        </message>
+        <message>
+            <source>corners lie in %1 % of the image: the distortion of the rest is not measured</source>
+            <translation>角点只分布在图像的 %1 % 内：其余部分的畸变未测</translation>
+        </message>
+        <message>
+            <source>corners lie %1 px from their places: is the board flat, and sharp?</source>
+            <translation>角点偏离其位置 %1 px：标定板平整、清晰吗？</translation>
+        </message>
+        <message>
+            <source>fitting the camera</source>
+            <translation>拟合相机</translation>
+        </message>
+        <message>
+            <source>bundle adjustment</source>
+            <translation>光束法平差</translation>
+        </message>
+        <message>
+            <source>measured depth is %1 times what the board says; the scale of the board is used. Check depth_scale in camera.json and square_mm in mat.json</source>
+            <translation>测得的深度是标定板所示的 %1 倍；采用标定板的比例。请检查 camera.json 中的 depth_scale 和 mat.json 中的 square_mm</translation>
+        </message>
+        <message>
+            <source>the bundle adjustment found no solution, and the first poses are kept: %1</source>
+            <translation>光束法平差没有解，保留最初的位姿：%1</translation>
+        </message>
+        <message>
+            <source>the views have neither depth nor a board: lengths are in units of the median distance of the points, not in metres</source>
+            <translation>视图既没有深度也没有标定板：长度以点的中位距离为单位，而不是米</translation>
+        </message>
+        <message>
+            <source>the given poses could not be checked: the views have too few matches with depth</source>
+            <translation>无法检查给定的位姿：视图之间带深度的匹配太少</translation>
+        </message>
+        <message>
+            <source>, with their lengths times %1</source>
+            <translation>，其长度乘以 %1</translation>
+        </message>
+        <message>
+            <source>; they would fit with a median of %1 px %2</source>
+            <translation>；采用%2时中位数为 %1 px，才相符</translation>
+        </message>
+        <message>
+            <source>the given poses do not agree with the images: matches lie a median of %1 px from where the poses and the depth put them%2. Check the poses, the camera and the depth scale, or set source=slam</source>
+            <translation>给定的位姿与图像不一致：匹配点偏离位姿和深度所定位置的中位数为 %1 px%2。请检查位姿、相机和深度比例，或设置 source=slam</translation>
+        </message>
+        <message>
+            <source>distances between the given poses are %1 times what the board says. Check the unit of the poses and square_mm in mat.json</source>
+            <translation>给定位姿之间的距离是标定板所示的 %1 倍。请检查位姿的单位和 mat.json 中的 square_mm</translation>
+        </message>
+        <message>
+            <source>adding views</source>
+            <translation>加入视图</translation>
+        </message>
+        <message>
+            <source>matching neighbours</source>
+            <translation>匹配相邻视图</translation>
+        </message>
+        <message>
+            <source>matching views that look alike</source>
+            <translation>匹配相似的视图</translation>
+        </message>
+        <message>
+            <source>matching loops</source>
+            <translation>匹配回环</translation>
+        </message>
+        <message>
+            <source>a part of the images moves and the object does not; what moves is left out where it disagrees</source>
+            <translation>图像的一部分在移动而目标不动；移动的部分在不一致处已舍去</translation>
+        </message>
+        <message>
+            <source>matching without the still background</source>
+            <translation>去除静止背景后匹配</translation>
+        </message>
+        <message>
+            <source>axes and scale of the board</source>
+            <translation>坐标轴和比例取自标定板</translation>
+        </message>
+        <message>
+            <source>axes of the given poses</source>
+            <translation>坐标轴取自给定的位姿</translation>
+        </message>
+        <message>
+            <source>axes of the first view, scale of the depth</source>
+            <translation>坐标轴取自第一个视图，比例取自深度</translation>
+        </message>
+        <message>
+            <source>axes of the first view, without scale</source>
+            <translation>坐标轴取自第一个视图，没有比例</translation>
+        </message>
+        <message>
+            <source>no pose is given for %1 of %2 views, which are left out: %3</source>
+            <translation>%2 个视图中有 %1 个没有给定位姿，已舍去：%3</translation>
+        </message>
+        <message>
+            <source>tracking lost at %1 of %2 views: %3. The largest connected part is kept</source>
+            <translation>%2 个视图中有 %1 个跟踪丢失：%3。保留最大的连通部分</translation>
+        </message>
+        <message>
+            <source>%1 of %2 views have a given pose; %3</source>
+            <translation>%2 个视图中有 %1 个带给定位姿；%3</translation>
+        </message>
+        <message>
+            <source>%1 of %2 views tracked; %3</source>
+            <translation>跟踪了 %2 个视图中的 %1 个；%3</translation>
+        </message>
+        <message>
+            <source>the views should show a board, but it was found in none of them; check dictionary, squares and marker size in mat.json</source>
+            <translation>视图应拍到标定板，但没有一个视图中找到它；请检查 mat.json 中的字典、方格数和标志尺寸</translation>
+        </message>
+        <message>
+            <source>the print has its %1, not as mat.json says; the print is followed</source>
+            <translation>打印的标定板%1，与 mat.json 所述不同；以打印的为准</translation>
+        </message>
+        <message>
+            <source>the board is a chessboard without markers, which has no place of its own where a part is hidden; it is not used</source>
+            <translation>标定板是没有标志的棋盘格，部分被遮挡时位置不唯一；未采用</translation>
+        </message>
+        <message>
+            <source>finding features</source>
+            <translation>提取特征</translation>
+        </message>
+        <message>
+            <source> and %1 more</source>
+            <translation> 及另外 %1 个</translation>
+        </message>
+    </context>
+    <context>
+        <name>rows</name>
+        <message>
+            <source>edit %1 (%2)%3</source>
+            <translation>第 %1 项编辑（%2）%3</translation>
+        </message>
+        <message>
+            <source> is not applied: %1</source>
+            <translation>未应用：%1</translation>
+        </message>
+        <message>
+            <source>no edits</source>
+            <translation>没有编辑</translation>
+        </message>
+        <message>
+            <source>no row within %1 m of (%2, %3)</source>
+            <translation>(%2, %3) 周围 %1 m 内没有行</translation>
+        </message>
+        <message>
+            <source>no row within %1 m of (%2, %3), the nearest passes %4 m away</source>
+            <translation>(%2, %3) 周围 %1 m 内没有行，最近的行在 %4 m 处经过</translation>
+        </message>
+        <message>
+            <source>rows %1 and %2 both pass near (%3, %4)</source>
+            <translation>第 %1 行与第 %2 行都从 (%3, %4) 附近经过</translation>
+        </message>
+        <message>
+            <source>there is a row %1 already</source>
+            <translation>已有第 %1 行</translation>
+        </message>
+        <message>
+            <source>the row ran at %1 deg and now runs at %2 deg</source>
+            <translation>该行原方向为 %1 度，现为 %2 度</translation>
+        </message>
+        <message>
+            <source>all plants of row %1 stand on one side of the cut</source>
+            <translation>第 %1 行的所有植株都在切口的同一侧</translation>
+        </message>
+        <message>
+            <source>the cut lies beyond the ends of row %1</source>
+            <translation>切口在第 %1 行的两端之外</translation>
+        </message>
+        <message>
+            <source>row %1 is named twice</source>
+            <translation>第 %1 行出现了两次</translation>
+        </message>
+        <message>
+            <source>renumber</source>
+            <translation>重新编号</translation>
+        </message>
+        <message>
+            <source>%1 has both ends at one place</source>
+            <translation>%1 的两端在同一位置</translation>
+        </message>
+        <message>
+            <source>two ends that are apart</source>
+            <translation>分开的两端</translation>
+        </message>
+        <message>
+            <source>row_id is empty</source>
+            <translation>row_id 为空</translation>
+        </message>
+        <message>
+            <source>the new id</source>
+            <translation>新的编号</translation>
+        </message>
+        <message>
+            <source>attitude %1 has no number or a time that does not increase</source>
+            <translation>第 %1 个姿态没有数值，或其时间不递增</translation>
+        </message>
+        <message>
+            <source>time_s in increasing order, roll_deg, pitch_deg, yaw_deg</source>
+            <translation>递增的 time_s，以及 roll_deg、pitch_deg、yaw_deg</translation>
+        </message>
+        <message>
+            <source>the attitude table is empty</source>
+            <translation>姿态表为空</translation>
+        </message>
+        <message>
+            <source>time_s, roll_deg, pitch_deg, yaw_deg</source>
+            <translation>列 time_s、roll_deg、pitch_deg、yaw_deg</translation>
+        </message>
+        <message>
+            <source>a point has the time %1 s</source>
+            <translation>一个点的时间为 %1 s</translation>
+        </message>
+        <message>
+            <source>attitudes around it: they run from %1 to %2</source>
+            <translation>其前后的姿态：姿态从 %1 至 %2</translation>
+        </message>
+        <message>
+            <source>Give roll_deg and pitch_deg instead</source>
+            <translation>请改为给出 roll_deg 和 pitch_deg</translation>
+        </message>
+        <message>
+            <source>a time for every point</source>
+            <translation>每个点的时间</translation>
+        </message>
+        <message>
+            <source>the frame has no column time and attitudes are connected</source>
+            <translation>帧没有列 time，而连接了姿态</translation>
+        </message>
+        <message>
+            <source>a minimum below the maximum</source>
+            <translation>小于最大值的最小值</translation>
+        </message>
+        <message>
+            <source>min_x is %1 and max_x is %2</source>
+            <translation>min_x 为 %1，max_x 为 %2</translation>
+        </message>
+        <message>
+            <source>min_x is %1 and max_y is %2</source>
+            <translation>min_x 为 %1，max_y 为 %2</translation>
+        </message>
+        <message>
+            <source>min_x is %1 and max_z is %2</source>
+            <translation>min_x 为 %1，max_z 为 %2</translation>
+        </message>
+        <message>
+            <source>min_y is %1 and max_x is %2</source>
+            <translation>min_y 为 %1，max_x 为 %2</translation>
+        </message>
+        <message>
+            <source>min_y is %1 and max_y is %2</source>
+            <translation>min_y 为 %1，max_y 为 %2</translation>
+        </message>
+        <message>
+            <source>min_y is %1 and max_z is %2</source>
+            <translation>min_y 为 %1，max_z 为 %2</translation>
+        </message>
+        <message>
+            <source>min_z is %1 and max_x is %2</source>
+            <translation>min_z 为 %1，max_x 为 %2</translation>
+        </message>
+        <message>
+            <source>min_z is %1 and max_y is %2</source>
+            <translation>min_z 为 %1，max_y 为 %2</translation>
+        </message>
+        <message>
+            <source>min_z is %1 and max_z is %2</source>
+            <translation>min_z 为 %1，max_z 为 %2</translation>
+        </message>
+        <message>
+            <source>Cut a region first: it drops them</source>
+            <translation>请先裁出区域：这会去掉它们</translation>
+        </message>
+        <message>
+            <source>finite points</source>
+            <translation>有限的点</translation>
+        </message>
+        <message>
+            <source>point %1 is not finite</source>
+            <translation>第 %1 个点不是有限数</translation>
+        </message>
+        <message>
+            <source>Leave out x, y and yaw</source>
+            <translation>请去掉 x、y 和 yaw</translation>
+        </message>
+        <message>
+            <source>one of the two</source>
+            <translation>两者之一</translation>
+        </message>
+        <message>
+            <source>the place of the sensor is given twice, by the options and by its marks</source>
+            <translation>传感器的位置给出了两次：由选项和由标志</translation>
+        </message>
+        <message>
+            <source>%1 poses of the sensor</source>
+            <translation>传感器有 %1 个位姿</translation>
+        </message>
+        <message>
+            <source>the pose of the sensor is not finite</source>
+            <translation>传感器的位姿不是有限数</translation>
+        </message>
+        <message>
+            <source>Pick the marks in the frame: without them the heading is unknown</source>
+            <translation>请在帧中选取标志：没有标志则航向未知</translation>
+        </message>
+        <message>
+            <source>seen_x_m, seen_y_m, seen_z_m</source>
+            <translation>列 seen_x_m、seen_y_m、seen_z_m</translation>
+        </message>
+        <message>
+            <source>the marks have no coordinates as the sensor sees them</source>
+            <translation>标志没有传感器所见的坐标</translation>
+        </message>
+        <message>
+            <source>Put stage geo.project before</source>
+            <translation>请在前面加入步骤 geo.project</translation>
+        </message>
+        <message>
+            <source>the marks have latitude and longitude</source>
+            <translation>标志为纬度和经度</translation>
+        </message>
+        <message>
+            <source>mark %1 has the range %2 m and is seen at %3 m</source>
+            <translation>标志 %1 的距离为 %2 m，而观测到的为 %3 m</translation>
+        </message>
+        <message>
+            <source>the range to the place that is seen</source>
+            <translation>到观测位置的距离</translation>
+        </message>
+        <message>
+            <source>which of them is wrong cannot be told</source>
+            <translation>无法判断其中哪个有误</translation>
+        </message>
+        <message>
+            <source>without mark %1 the others agree</source>
+            <translation>去掉标志 %1 后其余一致</translation>
+        </message>
+        <message>
+            <source>Check which mark is which, or raise the standard deviations</source>
+            <translation>请检查标志是否对应，或增大标准差</translation>
+        </message>
+        <message>
+            <source>distances that agree to %1 m</source>
+            <translation>相差不超过 %1 m 的间距</translation>
+        </message>
+        <message>
+            <source>marks %1 and %2 are %3 m apart as seen and %4 m as known; %5</source>
+            <translation>标志 %1 和 %2 的观测间距为 %3 m，已知间距为 %4 m；%5</translation>
+        </message>
+        <message>
+            <source>Set method=vectors, which takes the directions to the marks too</source>
+            <translation>请设置 method=vectors，它还使用到标志的方向</translation>
+        </message>
+        <message>
+            <source>marks all around and at several heights</source>
+            <translation>四周且在不同高度的标志</translation>
+        </message>
+        <message>
+            <source>the ranges carry no position: %1</source>
+            <translation>距离不能确定位置：%1</translation>
+        </message>
+        <message>
+            <source>Place the marks farther apart, or raise max_sigma</source>
+            <translation>请将标志放得更开，或增大 max_sigma</translation>
+        </message>
+        <message>
+            <source>the position has a standard error of %1 m</source>
+            <translation>位置的标准误差为 %1 m</translation>
+        </message>
+        <message>
+            <source>Place the marks farther apart, or raise max_heading_sigma</source>
+            <translation>请将标志放得更开，或增大 max_heading_sigma</translation>
+        </message>
+        <message>
+            <source>the heading has a standard error of %1 deg</source>
+            <translation>航向的标准误差为 %1 度</translation>
+        </message>
+        <message>
+            <source>%1 marks</source>
+            <translation>%1 个标志</translation>
+        </message>
+        <message>
+            <source>three marks of known position, two at the least</source>
+            <translation>三个位置已知的标志，至少两个</translation>
+        </message>
+        <message>
+            <source>Check which mark is which, and the level of the frame</source>
+            <translation>请检查标志是否对应，以及帧是否水平</translation>
+        </message>
+        <message>
+            <source>the marks as seen do not fit those as known: residuals are %1 times their standard deviation; %2</source>
+            <translation>标志的观测位置与已知位置不符：残差是其标准差的 %1 倍；%2</translation>
+        </message>
+        <message>
+            <source>the same marks in axes of the same hand</source>
+            <translation>同一手性坐标轴中的相同标志</translation>
+        </message>
+        <message>
+            <source>x and y of the marks are swapped: exchange them</source>
+            <translation>标志的 x 和 y 弄反了：请交换</translation>
+        </message>
+        <message>
+            <source>the marks as seen fit those as known %1 times worse than the standard deviations say, and the standard errors are raised by this; %2</source>
+            <translation>标志的观测位置与已知位置的偏差是标准差所示的 %1 倍，标准误差已按此放大；%2</translation>
+        </message>
+        <message>
+            <source>two marks carry the pose, so an error in one of them can hardly be seen: take a third</source>
+            <translation>位姿由两个标志确定，因此其中一个的误差几乎无法发现：请增加第三个</translation>
+        </message>
+        <message>
+            <source>%1 marks: position to %2 cm, heading to %3 deg (standard errors)</source>
+            <translation>%1 个标志：位置精度 %2 cm，航向精度 %3 度（标准误差）</translation>
+        </message>
+        <message>
+            <source>Connect dense to the output of rows.region, or set centre to mean</source>
+            <translation>请将 dense 连接到 rows.region 的输出，或将 centre 设为 mean</translation>
+        </message>
+        <message>
+            <source>centre is face and the input dense is not connected</source>
+            <translation>centre 为 face，而输入 dense 未连接</translation>
+        </message>
+        <message>
+            <source>the levelled frame before it was thinned</source>
+            <translation>抽稀前的整平帧</translation>
+        </message>
+        <message>
+            <source>%1 clusters have fewer than %2 trunk layers and are not plants: raise max_extent_x and max_extent_y where trunks are thicker</source>
+            <translation>%1 个聚类的树干层少于 %2 层，不是植株：如果树干更粗，请增大 max_extent_x 和 max_extent_y</translation>
+        </message>
+        <message>
+            <source>%1 clusters hold no trunk of %2 m or more</source>
+            <translation>%1 个聚类没有达到 %2 m 的树干</translation>
+        </message>
+        <message>
+            <source>%1 plants</source>
+            <translation>%1 株植株</translation>
+        </message>
+        <message>
+            <source>looking for rows</source>
+            <translation>查找行</translation>
+        </message>
+        <message>
+            <source>numbering plants</source>
+            <translation>植株编号</translation>
+        </message>
+        <message>
+            <source>tables</source>
+            <translation>表格</translation>
+        </message>
+        <message>
+            <source>Are these degrees, or a wrong line?</source>
+            <translation>这些是度，还是有错误的行？</translation>
+        </message>
+        <message>
+            <source>metres of one plane</source>
+            <translation>同一平面上的米</translation>
+        </message>
+        <message>
+            <source>stem %1 at (%2, %3) is more than %4 km from the first</source>
+            <translation>位于 (%2, %3) 的单木 %1 距第一株超过 %4 km</translation>
+        </message>
+        <message>
+            <source>columns x_m and y_m with numbers</source>
+            <translation>有数值的列 x_m 和 y_m</translation>
+        </message>
+        <message>
+            <source>the table has %1 rows and no stem with coordinates</source>
+            <translation>表有 %1 行，没有带坐标的单木</translation>
+        </message>
+        <message>
+            <source>%1 stems without coordinates are ignored</source>
+            <translation>忽略 %1 株没有坐标的单木</translation>
+        </message>
+        <message>
+            <source>row_id %1 in line %2</source>
+            <translation>第 %2 行的 row_id 为 %1</translation>
+        </message>
+        <message>
+            <source>whole numbers or names</source>
+            <translation>整数或名称</translation>
+        </message>
+        <message>
+            <source>an id for every plant of a row</source>
+            <translation>行中每株植株的编号</translation>
+        </message>
+        <message>
+            <source>the column row_id is empty</source>
+            <translation>列 row_id 为空</translation>
+        </message>
+        <message>
+            <source>%1 rows in %2 blocks: %3 plants, %4 missing, %5 strays</source>
+            <translation>%2 个地块中有 %1 行：植株 %3 株，缺株 %4 处，离群植株 %5 株</translation>
+        </message>
+        <message>
+            <source>no row of %1 or more plants among %2 stems at %3 deg from east: lower min_plants or raise lateral_tolerance</source>
+            <translation>%2 株单木中没有与正东成 %3 度、含 %1 株或更多植株的行：请减小 min_plants 或增大 lateral_tolerance</translation>
+        </message>
+        <message>
+            <source>no row of %1 or more plants among %2 stems at %3 deg from east: lower min_plants or raise lateral_tolerance, or leave direction open. It counts in the axes of the stems, after they were placed</source>
+            <translation>%2 株单木中没有与正东成 %3 度、含 %1 株或更多植株的行：请减小 min_plants 或增大 lateral_tolerance，或不指定 direction。该方向以放置后的单木坐标轴计</translation>
+        </message>
+        <message>
+            <source>no row of %1 or more plants among %2 stems: lower min_plants or raise lateral_tolerance</source>
+            <translation>%2 株单木中没有含 %1 株或更多植株的行：请减小 min_plants 或增大 lateral_tolerance</translation>
+        </message>
+        <message>
+            <source>no row of %1 or more plants among %2 stems: lower min_plants or raise lateral_tolerance, or leave direction open. It counts in the axes of the stems, after they were placed</source>
+            <translation>%2 株单木中没有含 %1 株或更多植株的行：请减小 min_plants 或增大 lateral_tolerance，或不指定 direction。该方向以放置后的单木坐标轴计</translation>
+        </message>
+        <message>
+            <source>%1 rows are planted too unevenly to find missing plants: set plant_spacing if it is known</source>
+            <translation>%1 行的株距太不均匀，无法判断缺株：如果已知株距，请设置 plant_spacing</translation>
+        </message>
+        <message>
+            <source>rows are %1 m apart and plants %2 m: the rows may run the other way. Set direction to fix it</source>
+            <translation>行距 %1 m，株距 %2 m：行可能是另一个方向。请设置 direction 加以固定</translation>
+        </message>
+        <message>
+            <source>Cut a region first</source>
+            <translation>请先裁出区域</translation>
+        </message>
+        <message>
+            <source>a field of less than 10 km</source>
+            <translation>小于 10 km 的田块</translation>
+        </message>
+        <message>
+            <source>point %1 lies %2 m from the first</source>
+            <translation>第 %1 个点距第一个点 %2 m</translation>
+        </message>
+        <message>
+            <source>Check the bounds of rows.region</source>
+            <translation>请检查 rows.region 的范围</translation>
+        </message>
+        <message>
+            <source>the canopy of a row</source>
+            <translation>一行的冠层</translation>
+        </message>
+        <message>
+            <source>the cloud has no point</source>
+            <translation>点云没有点</translation>
+        </message>
+        <message>
+            <source>%1 rows at %2 deg in %3 pieces</source>
+            <translation>%3 段中有 %1 行，方向 %2 度</translation>
+        </message>
+        <message>
+            <source>%1 of %2 points</source>
+            <translation>%2 个点中的 %1 个</translation>
+        </message>
+        <message>
+            <source>levelled point by point</source>
+            <translation>逐点整平</translation>
+        </message>
+        <message>
+            <source>levelled with one attitude</source>
+            <translation>用一个姿态整平</translation>
+        </message>
+        <message>
+            <source>%1 stems placed</source>
+            <translation>放置了 %1 株单木</translation>
+        </message>
+    </context>
+    <context>
+        <name>sim</name>
+        <message>
+            <source>scanning the field</source>
+            <translation>扫描田块</translation>
+        </message>
+        <message>
+            <source>%1: %2 frames of %3 s, %4 returns, %5 plants in %6 rows</source>
+            <translation>%1：%2 帧，每帧 %3 s，%4 个回波，%6 行中有 %5 株植株</translation>
+        </message>
+        <message>
+            <source>%1: %2 trees, %3 s of %4, %5 returns</source>
+            <translation>%1：%2 株树，%4 的 %3 s，%5 个回波</translation>
+        </message>
+        <message>
+            <source>growing the plot</source>
+            <translation>生成样地</translation>
+        </message>
+        <message>
+            <source>planning the walk</source>
+            <translation>规划行走路线</translation>
+        </message>
+        <message>
+            <source>building the ray tracer</source>
+            <translation>建立光线追踪</translation>
+        </message>
+        <message>
+            <source>lighting the seedling</source>
+            <translation>为幼苗布光</translation>
+        </message>
+        <message>
+            <source>rendering views</source>
+            <translation>渲染视图</translation>
+        </message>
+        <message>
+            <source>%1: %2 views, height %3 mm, breadth %4 x %5 mm, stem %6 mm, %7 leaves</source>
+            <translation>%1：%2 个视图，高 %3 mm，冠幅 %4 x %5 mm，茎 %6 mm，%7 片叶</translation>
+        </message>
+        <message>
+            <source>scanning: %1 of %2 s</source>
+            <translation>扫描：%2 s 中的 %1 s</translation>
+        </message>
+    </context>
+    <context>
+        <name>slam</name>
+        <message>
+            <source>the loop closure between %1 that was accepted by hand is not met: %2 m and %3 deg are left. Two loops contradict each other; strike out the wrong one</source>
+            <translation>人工接受的%1之间的回环未得到满足：剩余 %2 m 和 %3 度。两个回环互相矛盾；请划去错误的一个</translation>
+        </message>
+        <message>
+            <source>edit %1 (%2) is not applied: %3</source>
+            <translation>第 %1 项编辑（%2）未应用：%3</translation>
+        </message>
+        <message>
+            <source>the pose graph has no solution with these loop closures, and the map is that of the odometry; check the ones that were accepted by hand</source>
+            <translation>位姿图在这些回环下无解，地图是里程计的地图；请检查人工接受的回环</translation>
+        </message>
+        <message>
+            <source>%1 loop closures that were accepted before contradict the edits and are refused</source>
+            <translation>%1 个先前接受的回环与编辑矛盾，已拒绝</translation>
+        </message>
+        <message>
+            <source>%1 loop closures, no edits</source>
+            <translation>%1 个回环，没有编辑</translation>
+        </message>
+        <message>
+            <source>%1 of %2 edits applied; %3 loop closures</source>
+            <translation>应用了 %2 项编辑中的 %1 项；%3 个回环</translation>
+        </message>
+        <message>
+            <source>frame %1 was not followed; the odometry has frames %2 to %3</source>
+            <translation>第 %1 帧未被跟踪；里程计有第 %2 至 %3 帧</translation>
+        </message>
+        <message>
+            <source>slam.run followed no frame</source>
+            <translation>slam.run 没有跟踪任何帧</translation>
+        </message>
+        <message>
+            <source>frames %1 and %2 have the same keyframe</source>
+            <translation>第 %1 帧与第 %2 帧属于同一关键帧</translation>
+        </message>
+        <message>
+            <source>frames %1 and %2</source>
+            <translation>第 %1 帧与第 %2 帧</translation>
+        </message>
+        <message>
+            <source>there is no loop closure within %1 frames of frames %2 and %3</source>
+            <translation>第 %2 帧与第 %3 帧前后 %1 帧内没有回环</translation>
+        </message>
+        <message>
+            <source>there is no candidate within %1 frames of frames %2 and %3; give its relative_pose to accept one</source>
+            <translation>第 %2 帧与第 %3 帧前后 %1 帧内没有候选；要接受一个，请给出其 relative_pose</translation>
+        </message>
+        <message>
+            <source>refuse</source>
+            <translation>划去</translation>
+        </message>
+        <message>
+            <source>from_frame is %1</source>
+            <translation>from_frame 为 %1</translation>
+        </message>
+        <message>
+            <source>the number of a frame, from 0 on</source>
+            <translation>帧的编号，从 0 起</translation>
+        </message>
+        <message>
+            <source>to_frame is %1</source>
+            <translation>to_frame 为 %1</translation>
+        </message>
+        <message>
+            <source>relative_pose is %1</source>
+            <translation>relative_pose 为 %1</translation>
+        </message>
+        <message>
+            <source>seven numbers: x, y, z in metres and qx, qy, qz, qw</source>
+            <translation>七个数：以米计的 x、y、z 和 qx、qy、qz、qw</translation>
+        </message>
+        <message>
+            <source>one of length 1</source>
+            <translation>长度为 1 的四元数</translation>
+        </message>
+        <message>
+            <source>relative_pose has a quaternion of length %1</source>
+            <translation>relative_pose 的四元数长度为 %1</translation>
+        </message>
+        <message>
+            <source>from_frame and to_frame are both %1</source>
+            <translation>from_frame 和 to_frame 都是 %1</translation>
+        </message>
+        <message>
+            <source>two frames</source>
+            <translation>两个帧</translation>
+        </message>
+        <message>
+            <source>%1 frames have measurements of the unit; %2 are needed</source>
+            <translation>%1 帧有惯性单元的测量值；需要 %2 帧</translation>
+        </message>
+        <message>
+            <source>the walk turns too little about some axis: the mount is known only to %1 deg</source>
+            <translation>行走绕某个轴的转动太少：安装只知道到 %1 度</translation>
+        </message>
+        <message>
+            <source>the rates of the unit explain only %1 % of the turns of the scanner: is it of this recording, and in rad/s?</source>
+            <translation>惯性单元的角速度只能解释扫描仪转动的 %1 %：它属于这次记录吗，单位是 rad/s 吗？</translation>
+        </message>
+        <message>
+            <source>looking for loops</source>
+            <translation>查找回环</translation>
+        </message>
+        <message>
+            <source>numbers in x_m, y_m, z_m, and a quaternion of length 1 in qx, qy, qz, qw</source>
+            <translation>x_m、y_m、z_m 为数，qx、qy、qz、qw 为长度 1 的四元数</translation>
+        </message>
+        <message>
+            <source>row %1 of the table loop_candidates has no pose</source>
+            <translation>表 loop_candidates 的第 %1 行没有位姿</translation>
+        </message>
+        <message>
+            <source>row %1 of the table odometry has no pose</source>
+            <translation>表 odometry 的第 %1 行没有位姿</translation>
+        </message>
+        <message>
+            <source>Use tables of one run of slam.run</source>
+            <translation>请使用同一次 slam.run 的表</translation>
+        </message>
+        <message>
+            <source>a number from 0 to %1</source>
+            <translation>0 至 %1 的数</translation>
+        </message>
+        <message>
+            <source>the table loop_candidates has %1 %2</source>
+            <translation>表 loop_candidates 有 %1 %2</translation>
+        </message>
+        <message>
+            <source>the table odometry has %1 %2</source>
+            <translation>表 odometry 有 %1 %2</translation>
+        </message>
+        <message>
+            <source>the table odometry has no poses</source>
+            <translation>表 odometry 没有位姿</translation>
+        </message>
+        <message>
+            <source>the table odometry of slam.run, with x_m to qw</source>
+            <translation>slam.run 的表 odometry，含 x_m 至 qw</translation>
+        </message>
+        <message>
+            <source>a row per frame in order of time, as slam.run gives it</source>
+            <translation>每帧一行，按时间排序，与 slam.run 给出的相同</translation>
+        </message>
+        <message>
+            <source>the frames of the table odometry are out of order at row %1</source>
+            <translation>表 odometry 的帧在第 %1 行次序颠倒</translation>
+        </message>
+        <message>
+            <source>an earlier and a later keyframe</source>
+            <translation>一个较早和一个较晚的关键帧</translation>
+        </message>
+        <message>
+            <source>row %1 of the table loop_candidates goes from keyframe %2 to %3</source>
+            <translation>表 loop_candidates 的第 %1 行从关键帧 %2 到 %3</translation>
+        </message>
+        <message>
+            <source>closing loops</source>
+            <translation>闭合回环</translation>
+        </message>
+        <message>
+            <source>the adjustment of %1 loop closures stopped after %2 iterations without converging</source>
+            <translation>%1 个回环的平差在 %2 次迭代后停止，未收敛</translation>
+        </message>
+        <message>
+            <source>the path has %1 poses</source>
+            <translation>路径有 %1 个位姿</translation>
+        </message>
+        <message>
+            <source>Sort the poses by time</source>
+            <translation>请按时间排列位姿</translation>
+        </message>
+        <message>
+            <source>later than the pose before it</source>
+            <translation>晚于前一个位姿</translation>
+        </message>
+        <message>
+            <source>pose %1 has time %2 s</source>
+            <translation>第 %1 个位姿的时间为 %2 s</translation>
+        </message>
+        <message>
+            <source>it has no solution</source>
+            <translation>它没有解</translation>
+        </message>
+        <message>
+            <source>it would move the path by %1 m</source>
+            <translation>它会使路径移动 %1 m</translation>
+        </message>
+        <message>
+            <source>adjusting the path</source>
+            <translation>平差路径</translation>
+        </message>
+        <message>
+            <source>a readable TUM file</source>
+            <translation>可读的 TUM 文件</translation>
+        </message>
+        <message>
+            <source>the trajectory %1 cannot be opened</source>
+            <translation>无法打开轨迹 %1</translation>
+        </message>
+        <message>
+            <source>eight numbers: time x y z qx qy qz qw</source>
+            <translation>八个数：time x y z qx qy qz qw</translation>
+        </message>
+        <message>
+            <source>a quaternion of length %1</source>
+            <translation>长度为 %1 的四元数</translation>
+        </message>
+        <message>
+            <source>a time after %1 s</source>
+            <translation>%1 s 之后的时间</translation>
+        </message>
+        <message>
+            <source>time %1 s</source>
+            <translation>时间 %1 s</translation>
+        </message>
+        <message>
+            <source>the trajectory %1 has %2 poses</source>
+            <translation>轨迹 %1 有 %2 个位姿</translation>
+        </message>
+        <message>
+            <source>looking for the mount of the inertial unit</source>
+            <translation>求惯性单元的安装</translation>
+        </message>
+        <message>
+            <source>the mount of the inertial unit (T_sensor_imu) was not checked: the walk turns too little about some axis, or the turns of unit and scanner do not agree in size. A wrong mount bends the map</source>
+            <translation>惯性单元的安装（T_sensor_imu）未检查：行走绕某个轴的转动太少，或惯性单元与扫描仪的转动大小不一致。错误的安装会使地图弯曲</translation>
+        </message>
+        <message>
+            <source>its mount (T_sensor_imu) is given %1 deg off from what the turns of the scanner show; correct it, or leave it out to have it estimated</source>
+            <translation>给定的安装（T_sensor_imu）与扫描仪转动所示相差 %1 度；请更正，或不给出而由程序估计</translation>
+        </message>
+        <message>
+            <source>, lever arm to %1 m</source>
+            <translation>，杆臂精度 %1 m</translation>
+        </message>
+        <message>
+            <source>; its lever arm cannot be told from this walk (%1 m)</source>
+            <translation>；由这次行走无法得知其杆臂（%1 m）</translation>
+        </message>
+        <message>
+            <source>the mount of the inertial unit was not given and is estimated: turn to %1 deg, clock ahead by %2 ms to %3 ms</source>
+            <translation>没有给出惯性单元的安装，已作估计：转角精度 %1 度，时钟超前 %2 ms，精度 %3 ms</translation>
+        </message>
+        <message>
+            <source>the mount of the inertial unit was not given and is estimated: turn to %1 deg, clock ahead by %2 ms to %3 ms%4</source>
+            <translation>没有给出惯性单元的安装，已作估计：转角精度 %1 度，时钟超前 %2 ms，精度 %3 ms%4</translation>
+        </message>
+        <message>
+            <source>Name its file with the option imu of the scan, or use the preset best</source>
+            <translation>请用扫描的选项 imu 指定其文件，或使用预设 best</translation>
+        </message>
+        <message>
+            <source>an inertial unit that fits the scan</source>
+            <translation>与扫描相符的惯性单元</translation>
+        </message>
+        <message>
+            <source>the inertial unit cannot be used: %1</source>
+            <translation>惯性单元不能使用：%1</translation>
+        </message>
+        <message>
+            <source>the inertial unit is not used: %1</source>
+            <translation>未采用惯性单元：%1</translation>
+        </message>
+        <message>
+            <source>Put imu.csv beside the scan, name its file with the option imu of the scan, or use preset best</source>
+            <translation>请将 imu.csv 放在扫描旁，用扫描的选项 imu 指定其文件，或使用预设 best</translation>
+        </message>
+        <message>
+            <source>one, with preset inertial</source>
+            <translation>预设 inertial 需要一个</translation>
+        </message>
+        <message>
+            <source>the recording has no inertial unit</source>
+            <translation>记录没有惯性单元</translation>
+        </message>
+        <message>
+            <source>frames are not elastic</source>
+            <translation>帧不是弹性的</translation>
+        </message>
+        <message>
+            <source>its mount in the scanner is not given and cannot be told: %1</source>
+            <translation>没有给出其在扫描仪中的安装，也无法得知：%1</translation>
+        </message>
+        <message>
+            <source>for %1 s (until frame %2) the surroundings left a direction of motion open and the inertial unit alone carried it: the map behind may be shifted by %3 m or more. Walk where there are stems, or give control points</source>
+            <translation>有 %1 s（至第 %2 帧）周围环境不能确定一个运动方向，只靠惯性单元维持：其后的地图可能偏移 %3 m 或更多。请在有树干的地方行走，或给出控制点</translation>
+        </message>
+        <message>
+            <source>only %1 usable points</source>
+            <translation>只有 %1 个可用的点</translation>
+        </message>
+        <message>
+            <source>... and %1 more frames</source>
+            <translation>…… 以及另外 %1 帧</translation>
+        </message>
+        <message>
+            <source>frame %1 at %2: %3</source>
+            <translation>第 %1 帧，在 %2：%3</translation>
+        </message>
+        <message>
+            <source>%1 points were left out: their ring is not one of the sensor's</source>
+            <translation>舍去 %1 个点：其线号不属于该传感器</translation>
+        </message>
+        <message>
+            <source>found again %1 after the last good frame: %2 of the points agree, doubt %3</source>
+            <translation>在最后一个良好的帧之后 %1 重新找到：%2 的点一致，疑度 %3</translation>
+        </message>
+        <message>
+            <source>. A frame takes %1, in which a walk bends it: let the scanner turn 10 times a second or more</source>
+            <translation>。一帧历时 %1，其间行走会使其弯曲：请让扫描仪每秒旋转 10 圈或更多</translation>
+        </message>
+        <message>
+            <source>the track was lost at frame %1, %2 after the start: %3. The map ends there%4</source>
+            <translation>在第 %1 帧（开始后 %2）跟踪丢失：%3。地图到此为止%4</translation>
+        </message>
+        <message>
+            <source>finished on request at frame %1 of %2</source>
+            <translation>应要求在 %2 帧中的第 %1 帧结束</translation>
+        </message>
+        <message>
+            <source>left out: %1</source>
+            <translation>已舍去：%1</translation>
+        </message>
+        <message>
+            <source>the adjustment of the whole path ended after %1 of %2 iterations: %3; the path before it was kept</source>
+            <translation>整条路径的平差在 %2 次迭代中的第 %1 次之后结束：%3；保留平差前的路径</translation>
+        </message>
+        <message>
+            <source>it did not measure while the scanner did</source>
+            <translation>它在扫描仪测量时没有测量</translation>
+        </message>
+        <message>
+            <source>it fits only %1 of %2 frames; is its mount in the scanner (T_sensor_imu) right, and its clock that of the scan?</source>
+            <translation>它只与 %2 帧中的 %1 帧相符；它在扫描仪中的安装（T_sensor_imu）正确吗，其时钟与扫描的时钟相同吗？</translation>
+        </message>
+        <message>
+            <source>its motion contradicts the scans (tension %1, at most 1 where they agree); is its mount in the scanner (T_sensor_imu) right, and its clock that of the scan?</source>
+            <translation>其运动与扫描矛盾（张力 %1，一致时至多为 1）；它在扫描仪中的安装（T_sensor_imu）正确吗，其时钟与扫描的时钟相同吗？</translation>
+        </message>
+        <message>
+            <source>it would have biases of %1 deg/s and %2 m/s2, more than units have; is its mount in the scanner (T_sensor_imu) right?</source>
+            <translation>它的零偏将达 %1 度/s 和 %2 m/s2，超过惯性单元的正常范围；它在扫描仪中的安装（T_sensor_imu）正确吗？</translation>
+        </message>
+        <message>
+            <source>%1 of %2 frames (first: %3) hardly determine a motion: their observability is below %4. The preset keeps to a paper that does not test this. Compare the map with one of slam.preset=best before you use it</source>
+            <translation>%2 帧中有 %1 帧（第一帧：%3）几乎不能确定运动：其可观测性低于 %4。该预设遵循的论文不作此检验。使用前请将地图与 slam.preset=best 的地图比较</translation>
+        </message>
+        <message>
+            <source>for %1 s (from frame %2) nearly all surfaces face one way, as in a corridor or between walls: the position along (%3, %4) of the map may be wrong by metres, however good the frames look. Walk where there are stems or corners, or give control points</source>
+            <translation>有 %1 s（自第 %2 帧起）几乎所有表面都朝同一方向，如在走廊中或墙壁之间：无论各帧看来多好，地图沿 (%3, %4) 方向的位置可能差数米。请在有树干或墙角的地方行走，或给出控制点</translation>
+        </message>
+        <message>
+            <source>Correct its file, or use the preset best</source>
+            <translation>请更正其文件，或使用预设 best</translation>
+        </message>
+        <message>
+            <source>a unit that moves with the scanner</source>
+            <translation>随扫描仪移动的惯性单元</translation>
+        </message>
+        <message>
+            <source>the inertial unit does not fit the scan: %1</source>
+            <translation>惯性单元与扫描不符：%1</translation>
+        </message>
+        <message>
+            <source>%1 of %2 frames could be used</source>
+            <translation>%2 帧中有 %1 帧可用</translation>
+        </message>
+        <message>
+            <source>at least 2 frames with returns that fit together</source>
+            <translation>至少 2 个回波相符的帧</translation>
+        </message>
+        <message>
+            <source>Add the offset between the clocks to the times in the trajectory; if both began together it is %1 s</source>
+            <translation>请将时钟差加到轨迹的时间上；如果两者同时开始，其值为 %1 s</translation>
+        </message>
+        <message>
+            <source>no frame lies within the trajectory: frames from %1 to %2 s, trajectory from %3 to %4 s</source>
+            <translation>没有帧在轨迹之内：帧为 %1 至 %2 s，轨迹为 %3 至 %4 s</translation>
+        </message>
+        <message>
+            <source>times of one clock</source>
+            <translation>同一时钟的时间</translation>
+        </message>
+        <message>
+            <source>%1 of %2 frames lie outside the trajectory and were left out</source>
+            <translation>%2 帧中有 %1 帧在轨迹之外，已舍去</translation>
+        </message>
+        <message>
+            <source>less than max_range, %1 m</source>
+            <translation>小于 max_range，即 %1 m</translation>
+        </message>
+        <message>
+            <source>min_range is %1 m</source>
+            <translation>min_range 为 %1 m</translation>
+        </message>
+        <message>
+            <source>less than map_max_range, %1 m</source>
+            <translation>小于 map_max_range，即 %1 m</translation>
+        </message>
+        <message>
+            <source>map_min_range is %1 m</source>
+            <translation>map_min_range 为 %1 m</translation>
+        </message>
+        <message>
+            <source>Set solve to joint, or deskew to once</source>
+            <translation>请将 solve 设为 joint，或将 deskew 设为 once</translation>
+        </message>
+        <message>
+            <source>solve is %1 with deskew elastic</source>
+            <translation>deskew 为 elastic 时 solve 为 %1</translation>
+        </message>
+        <message>
+            <source>solve joint with elastic frames</source>
+            <translation>弹性帧用 solve joint（联合求解）</translation>
+        </message>
+        <message>
+            <source>Set first_guess to velocity, or deskew to once or twice</source>
+            <translation>请将 first_guess 设为 velocity，或将 deskew 设为 once 或 twice</translation>
+        </message>
+        <message>
+            <source>another first guess, since elastic frames estimate their motion themselves</source>
+            <translation>另一种初值，因为弹性帧自行估计其运动</translation>
+        </message>
+        <message>
+            <source>first_guess is matched_motion with deskew elastic</source>
+            <translation>deskew 为 elastic 时 first_guess 为 matched_motion</translation>
+        </message>
+        <message>
+            <source>Set deskew to elastic</source>
+            <translation>请将 deskew 设为 elastic</translation>
+        </message>
+        <message>
+            <source>elastic frames, which the inertial unit is joined to</source>
+            <translation>与惯性单元结合的弹性帧</translation>
+        </message>
+        <message>
+            <source>inertial is required with deskew %1</source>
+            <translation>deskew 为 %1 时 inertial 为 required</translation>
+        </message>
+        <message>
+            <source>mapping frame %1 of %2</source>
+            <translation>%2 帧中的第 %1 帧成图</translation>
+        </message>
+        <message>
+            <source>%1 of %2 frames could not be read a second time. They are missing in the map</source>
+            <translation>%2 帧中有 %1 帧无法再次读取。地图中缺少它们</translation>
+        </message>
+        <message>
+            <source>the map was thinned to every %1th point to stay below map_max_points, %2 million</source>
+            <translation>地图已抽稀为每 %1 点取一点，以不超过 map_max_points，即 %2 百万</translation>
+        </message>
+        <message>
+            <source>Leave the option features to the preset, or set it to sampled</source>
+            <translation>请将选项 features 留给预设，或设为 sampled</translation>
+        </message>
+        <message>
+            <source>features %1 need scan lines, and the beams of this scanner never repeat their path</source>
+            <translation>features %1 需要扫描线，而此扫描仪的光束从不重复其路径</translation>
+        </message>
+        <message>
+            <source>features sampled</source>
+            <translation>features 为 sampled</translation>
+        </message>
+        <message>
+            <source>preset %1 repeats a published method, for comparison. In maps of these presets, diameters were up to 1.8 cm too small on simulated plots, and as few as one in four 95 % intervals held the true diameter. For a survey use preset=best</source>
+            <translation>预设 %1 重现已发表的方法，供比较用。在这些预设的地图中，模拟样地上的直径最多偏小 1.8 cm，95 % 区间中低至四分之一含有真实直径。调查请使用 preset=best</translation>
+        </message>
+        <message>
+            <source>the scan has no frames</source>
+            <translation>扫描没有帧</translation>
+        </message>
+        <message>
+            <source>%1 of %2 frames followed along %3 m</source>
+            <translation>沿 %3 m 跟踪了 %2 帧中的 %1 帧</translation>
+        </message>
+        <message>
+            <source>%1 of %2 frames followed along %3 m with the given trajectory</source>
+            <translation>用给定的轨迹沿 %3 m 跟踪了 %2 帧中的 %1 帧</translation>
+        </message>
+        <message>
+            <source>%1 of %2 frames mapped to %3 points along %4 m</source>
+            <translation>%2 帧中有 %1 帧成图，沿 %4 m 得到 %3 个点</translation>
+        </message>
+        <message>
+            <source>%1 of %2 frames mapped to %3 points along %4 m with the given trajectory</source>
+            <translation>%2 帧中有 %1 帧用给定的轨迹成图，沿 %4 m 得到 %3 个点</translation>
+        </message>
+    </context>
+    <context>
+        <name>steering</name>
+        <message>
+            <source>driving at %1 km/h</source>
+            <translation>以 %1 km/h 行驶</translation>
+        </message>
+        <message>
+            <source>%1 drives over %2 lines of %3 m</source>
+            <translation>在 %2 条 %3 m 的线上行驶 %1 次</translation>
+        </message>
+        <message>
+            <source>%1 lines, %2 m</source>
+            <translation>%1 条线，%2 m</translation>
+        </message>
+        <message>
+            <source>, unknown: %1</source>
+            <translation>，未知：%1</translation>
+        </message>
+        <message>
+            <source>unknown: %1</source>
+            <translation>未知：%1</translation>
+        </message>
+        <message>
+            <source>%1 of %2 fixes have a quality that is not accepted and are left out (%3)</source>
+            <translation>%2 个定位点中有 %1 个的质量不被接受，已舍去（%3）</translation>
+        </message>
+        <message>
+            <source>%1 fixes go back in time and are left out: look whether two logs were joined, or the clock was set</source>
+            <translation>%1 个定位点的时间倒退，已舍去：请检查是否合并了两份日志，或时钟被调整过</translation>
+        </message>
+        <message>
+            <source>no lever arm is given: positions and errors are those of the antenna, not of the rear axle</source>
+            <translation>没有给出杆臂：位置和误差是天线的，而不是后桥的</translation>
+        </message>
+        <message>
+            <source>the lever arm is turned by the direction of motion, which lags in turns and is wrong in reverse</source>
+            <translation>杆臂按运动方向旋转，转弯时有滞后，倒车时是错的</translation>
+        </message>
+        <message>
+            <source>headings count from true north and the track does not say by how much grid north differs</source>
+            <translation>航向自真北起算，而轨迹没有说明坐标北与之相差多少</translation>
+        </message>
+        <message>
+            <source>roll and pitch are unknown: the antenna is %1 m up and moves the control point by %2 cm per degree of side slope</source>
+            <translation>横滚和俯仰未知：天线高 %1 m，横坡每度使控制点移动 %2 cm</translation>
+        </message>
+        <message>
+            <source>filtering fixes</source>
+            <translation>定位点滤波</translation>
+        </message>
+        <message>
+            <source>%1 fixes have no heading and are left out</source>
+            <translation>%1 个定位点没有航向，已舍去</translation>
+        </message>
+        <message>
+            <source>%1 gaps of more than %2 s: what was driven there is unknown</source>
+            <translation>%1 处超过 %2 s 的间断：其间如何行驶未知</translation>
+        </message>
+        <message>
+            <source>%1 fixes lie more than %2 standard deviations from where they were expected; the position jumped %3 times</source>
+            <translation>%1 个定位点偏离预期位置超过 %2 倍标准差；位置跳变 %3 次</translation>
+        </message>
+        <message>
+            <source>the fixes are good to about %1 m: passes can be told by them, errors of steering of centimetres cannot</source>
+            <translation>定位点的精度约为 %1 m：可据以区分各次行程，但不能得知厘米级的转向误差</translation>
+        </message>
+        <message>
+            <source>the track gives no fix quality: its fixes are taken to be good to %1 cm</source>
+            <translation>轨迹没有给出定位质量：视其定位点精度为 %1 cm</translation>
+        </message>
+        <message>
+            <source>%1 fixes, good to %2 cm; %3 left out</source>
+            <translation>%1 个定位点，精度 %2 cm；舍去 %3 个</translation>
+        </message>
+        <message>
+            <source>passes lie up to %1 m beside the line, and no row width says which line they followed: their errors count from that one line. Set row_width</source>
+            <translation>行程偏离导航线达 %1 m，而没有行宽说明它们跟随的是哪条线：其误差以这一条线计。请设置 row_width</translation>
+        </message>
+        <message>
+            <source>measuring passes</source>
+            <translation>测量各次行程</translation>
+        </message>
+        <message>
+            <source>no reference: errors are measured with the receiver itself, so its own error is unknown (connect 'reference', or a log with ref_x_m and ref_y_m)</source>
+            <translation>没有参照：误差由接收机自身测得，因此其自身的误差未知（请连接“reference”，或含有 ref_x_m 和 ref_y_m 的日志）</translation>
+        </message>
+        <message>
+            <source>no neighbouring passes: no adjacent-row error (set row_width, or drive the next line)</source>
+            <translation>没有相邻的行程：没有邻行误差（请设置 row_width，或行驶下一条线）</translation>
+        </message>
+        <message>
+            <source>%1 passes, standard deviation %2 cm</source>
+            <translation>%1 次行程，标准差 %2 cm</translation>
+        </message>
+        <message>
+            <source>preview</source>
+            <translation>预瞄</translation>
+        </message>
+        <message>
+            <source>no oscillation up to P = %1, where the search ends</source>
+            <translation>直到搜索终点 P = %1 仍没有振荡</translation>
+        </message>
+        <message>
+            <source>%1 km/h: preview %2 m, P %3, I %4, D %5 (published %6, %7, %8, %9)</source>
+            <translation>%1 km/h：预瞄 %2 m，P %3，I %4，D %5（已发表 %6、%7、%8、%9）</translation>
+        </message>
+    </context>
+    <context>
+        <name>stems</name>
+        <message>
+            <source>one of %1, or the path of a JSON file</source>
+            <translation>%1 之一，或 JSON 文件的路径</translation>
+        </message>
+        <message>
+            <source>there is no bark '%1'</source>
+            <translation>没有树皮类型“%1”</translation>
+        </message>
+        <message>
+            <source>a bark description in JSON</source>
+            <translation>JSON 格式的树皮描述</translation>
+        </message>
+        <message>
+            <source>cannot open '%1'</source>
+            <translation>无法打开“%1”</translation>
+        </message>
+        <message>
+            <source>title, and relief_mm and relief_sd_mm from 0 to %1</source>
+            <translation>title，以及 0 至 %1 的 relief_mm 和 relief_sd_mm（标题、起伏）</translation>
+        </message>
+        <message>
+            <source>it is not JSON</source>
+            <translation>它不是 JSON</translation>
+        </message>
+        <message>
+            <source>some stems are too sparse for diameters here: %1 points on the bark of a stem needed, %2 found in the middle of %3 of %4 stems. Use the cloud before it was thinned, or scan from nearer</source>
+            <translation>此处部分单木太稀，不能测直径：每株树皮上需要 %1 个点，%4 株中的 %3 株中间只有 %2 个。请使用抽稀前的点云，或从更近处扫描</translation>
+        </message>
+        <message>
+            <source>too sparse for diameters here: %1 points on the bark of a stem needed, %2 found in the middle of %3 of %4 stems. Use the cloud before it was thinned, or scan from nearer</source>
+            <translation>此处太稀，不能测直径：每株树皮上需要 %1 个点，%4 株中的 %3 株中间只有 %2 个。请使用抽稀前的点云，或从更近处扫描</translation>
+        </message>
+        <message>
+            <source>ranges scatter by %1 cm on the bark: diameters are uncertain by +-%2 cm, half of the stems by more. Scan more slowly or from nearer, or check the poses</source>
+            <translation>树皮上的距离离散为 %1 cm：直径的不确定度为 +-%2 cm，半数单木更大。请更慢或从更近处扫描，或检查位姿</translation>
+        </message>
+        <message>
+            <source>the points scatter by %1 cm on the bark (median of %2 stems): registrations or passes that do not meet, wind, a noisy sensor, or coordinates in feet. Diameters are of all that together</source>
+            <translation>点在树皮上的离散为 %1 cm（%2 株的中位数）：配准或各次经过不重合、风、传感器噪声大，或坐标以英尺计。直径受上述各项的共同影响</translation>
+        </message>
+        <message>
+            <source>%1 of %2 stems were seen on %3 deg of their bark or less, and model=surface leaves out how wide the beam of the scanner was: their diameters can be too large by %4 cm (half of them by more). Give the path of the scanner (trajectory.file, for a cloud with times), or scan from more sides</source>
+            <translation>%2 株中有 %1 株只看到树皮的 %3 度或更少，而 model=surface 不考虑扫描仪光束的宽度：其直径可能偏大 %4 cm（其中半数更多）。请给出扫描仪的路径（trajectory.file，用于带时间的点云），或从更多方向扫描</translation>
+        </message>
+        <message>
+            <source>%1 of %2 stems were seen on %3 deg of their bark or less, and model=surface leaves out how wide the beam of the scanner was: their diameters can be too large by %4 cm (half of them by more). Set stems.model=ray</source>
+            <translation>%2 株中有 %1 株只看到树皮的 %3 度或更少，而 model=surface 不考虑扫描仪光束的宽度：其直径可能偏大 %4 cm（其中半数更多）。请设置 stems.model=ray</translation>
+        </message>
+        <message>
+            <source>%1 of %2 stems were seen on %3 deg of their bark or less, and nothing says how wide the beam of the scanner was: their diameters can be too large by %4 cm (half of them by more). Give the path of the scanner (trajectory.file, for a cloud with times), or scan from more sides</source>
+            <translation>%2 株中有 %1 株只看到树皮的 %3 度或更少，而扫描仪光束的宽度无从得知：其直径可能偏大 %4 cm（其中半数更多）。请给出扫描仪的路径（trajectory.file，用于带时间的点云），或从更多方向扫描</translation>
+        </message>
+        <message>
+            <source>%1 of %2 stems were seen on %3 deg of their bark or less, and nothing says how wide the beam of the scanner was: their diameters can be too large by %4 cm (half of them by more). Set stems.model=ray</source>
+            <translation>%2 株中有 %1 株只看到树皮的 %3 度或更少，而扫描仪光束的宽度无从得知：其直径可能偏大 %4 cm（其中半数更多）。请设置 stems.model=ray</translation>
+        </message>
+        <message>
+            <source>%1 mm are added to every diameter for the fissures of the bark (bark=%2), a convention; the intervals allow for +-%3 mm</source>
+            <translation>因树皮裂缝给每个直径加上 %1 mm（bark=%2），这是一种约定；区间计入 +-%3 mm</translation>
+        </message>
+        <message>
+            <source>%1 mm are added to every diameter for the fissures of the bark (bark_relief), a convention; the intervals allow for +-%2 mm</source>
+            <translation>因树皮裂缝给每个直径加上 %1 mm（bark_relief），这是一种约定；区间计入 +-%2 mm</translation>
+        </message>
+        <message>
+            <source>diameters are those of the mean bark: a tape over rough bark reads more. The intervals allow for +-%1 mm; set stems.bark where it is known</source>
+            <translation>直径是平均树皮处的直径：在粗糙的树皮上围尺读数更大。区间计入 +-%1 mm；如果已知树皮类型，请设置 stems.bark</translation>
+        </message>
+        <message>
+            <source>Check what the stage before has read</source>
+            <translation>请检查前一步骤读取的内容</translation>
+        </message>
+        <message>
+            <source>points of a plot</source>
+            <translation>样地的点</translation>
+        </message>
+        <message>
+            <source>the cloud is empty</source>
+            <translation>点云为空</translation>
+        </message>
+        <message>
+            <source>Look at the ground stage: was any ground found?</source>
+            <translation>请查看地面步骤：是否找到地面？</translation>
+        </message>
+        <message>
+            <source>a terrain model below the points</source>
+            <translation>点以下的地形模型</translation>
+        </message>
+        <message>
+            <source>none of %1 points has a height above ground</source>
+            <translation>%1 个点都没有离地高度</translation>
+        </message>
+        <message>
+            <source>Set slice.height within these heights, or check the ground stage</source>
+            <translation>请将 slice.height 设在这些高度之内，或检查地面步骤</translation>
+        </message>
+        <message>
+            <source>no point lies %1 to %2 m above ground; heights run from %3 to %4 m</source>
+            <translation>离地 %1 至 %2 m 处没有点；高度范围为 %3 至 %4 m</translation>
+        </message>
+        <message>
+            <source>points at breast height</source>
+            <translation>胸高处的点</translation>
+        </message>
+        <message>
+            <source>Check options height and thickness of the slice</source>
+            <translation>请检查横切面的选项 height 和 thickness</translation>
+        </message>
+        <message>
+            <source>the slice is empty</source>
+            <translation>横切面为空</translation>
+        </message>
+        <message>
+            <source>no point of the slice has a height above ground</source>
+            <translation>横切面的点都没有离地高度</translation>
+        </message>
+        <message>
+            <source>circles by height</source>
+            <translation>按高度查找圆</translation>
+        </message>
+        <message>
+            <source>a stem table without %1</source>
+            <translation>单木表缺少 %1</translation>
+        </message>
+        <message>
+            <source>tree_id, x_m, y_m, dbh_cm</source>
+            <translation>列 tree_id、x_m、y_m、dbh_cm</translation>
+        </message>
+        <message>
+            <source>applying edits</source>
+            <translation>应用编辑</translation>
+        </message>
+        <message>
+            <source>, %1 of %2 edits of points</source>
+            <translation>，%2 项点编辑中的 %1 项</translation>
+        </message>
+        <message>
+            <source>edit %1 (%2): %3</source>
+            <translation>第 %1 项编辑（%2）：%3</translation>
+        </message>
+        <message>
+            <source>no stem within %1 m of (%2, %3)</source>
+            <translation>(%2, %3) 周围 %1 m 内没有单木</translation>
+        </message>
+        <message>
+            <source>no stem within %1 m of (%2, %3), the nearest stands %4 m away</source>
+            <translation>(%2, %3) 周围 %1 m 内没有单木，最近的在 %4 m 处</translation>
+        </message>
+        <message>
+            <source>stems %1 and %2 both stand near (%3, %4)</source>
+            <translation>单木 %1 和 %2 都位于 (%3, %4) 附近</translation>
+        </message>
+        <message>
+            <source>the diameter was %1 cm and is now %2 cm: look again</source>
+            <translation>直径原为 %1 cm，现为 %2 cm：请再查看</translation>
+        </message>
+        <message>
+            <source>the diameter was %1 cm and is now %2 cm</source>
+            <translation>直径原为 %1 cm，现为 %2 cm</translation>
+        </message>
+        <message>
+            <source>stem %1 stands there already (%2 m away)</source>
+            <translation>单木 %1 已在该处（相距 %2 m）</translation>
+        </message>
+        <message>
+            <source>stem %1 is named twice</source>
+            <translation>单木 %1 出现了两次</translation>
+        </message>
+        <message>
+            <source>no circle of bark about this place in the slice; give dbh_cm</source>
+            <translation>横切面中此处周围没有树皮的圆；请给出 dbh_cm</translation>
+        </message>
+        <message>
+            <source>no dbh_cm is given and no slice is connected to fit one</source>
+            <translation>没有给出 dbh_cm，也没有连接可供拟合的横切面</translation>
+        </message>
+        <message>
+            <source>no point lies in its selection</source>
+            <translation>其选区内没有点</translation>
+        </message>
+        <message>
+            <source>no tree for certain within %1 m of (%2, %3): add it, or make the edit again</source>
+            <translation>(%2, %3) 周围 %1 m 内没有可确定的树：请添加，或重做该编辑</translation>
+        </message>
+        <message>
+            <source>no point of its selection meets its condition</source>
+            <translation>其选区内没有点满足其条件</translation>
+        </message>
+        <message>
+            <source>edit %1 of points (%2) is not applied: %3</source>
+            <translation>第 %1 项点编辑（%2）未应用：%3</translation>
+        </message>
+        <message>
+            <source>accept</source>
+            <translation>接受</translation>
+        </message>
+        <message>
+            <source>add</source>
+            <translation>添加</translation>
+        </message>
+        <message>
+            <source>delete</source>
+            <translation>删除</translation>
+        </message>
+        <message>
+            <source>merge</source>
+            <translation>合并</translation>
+        </message>
+        <message>
+            <source>move</source>
+            <translation>移动</translation>
+        </message>
+        <message>
+            <source>note</source>
+            <translation>备注</translation>
+        </message>
+        <message>
+            <source>reject</source>
+            <translation>拒绝</translation>
+        </message>
+        <message>
+            <source>resize</source>
+            <translation>改直径</translation>
+        </message>
+        <message>
+            <source>split</source>
+            <translation>拆分</translation>
+        </message>
+        <message>
+            <source>tilt</source>
+            <translation>倾斜</translation>
+        </message>
+        <message>
+            <source>into has %1</source>
+            <translation>into 含有 %1</translation>
+        </message>
+        <message>
+            <source>{"at": [x, y], "dbh_cm": ...} for every new stem</source>
+            <translation>每株新单木的 {"at": [x, y], "dbh_cm": ...}</translation>
+        </message>
+        <message>
+            <source>tree %1: %2 is not measured: %3</source>
+            <translation>树 %1：未测%2：%3</translation>
+        </message>
+        <message>
+            <source>only %1 of %2 sections show a circle of at least %3 deg and %4 points; needed: %5</source>
+            <translation>%2 个断面中只有 %1 个显示至少 %3 度、%4 个点的圆；需要 %5 个</translation>
+        </message>
+        <message>
+            <source>passes of the walk disagree by %1 cm. In a part of a cloud they are not brought together: diameters are of all passes as they lie</source>
+            <translation>行走的各次经过相差 %1 cm。在点云的一部分中不作合并：直径取自未经调整的各次经过</translation>
+        </message>
+        <message>
+            <source>stems.pool_priors makes it</source>
+            <translation>它由 stems.pool_priors 生成</translation>
+        </message>
+        <message>
+            <source>the table of priors has %1 rows</source>
+            <translation>先验值表有 %1 行</translation>
+        </message>
+        <message>
+            <source>points lie only %1 times as dense at the terrain as 0.3 to 1.3 m above it (ground that was seen: 10 times and more): the cloud was cut above the ground, or the ground was hardly seen. Breast height of all %2 stems is a guess. Give the cloud with its ground, or set ground.method=normalised if z is the height above ground</source>
+            <translation>地形处的点密度只有其上 0.3 至 1.3 m 处的 %1 倍（看到地面时为 10 倍或更多）：点云在地面以上被截断，或几乎没有看到地面。全部 %2 株的胸高只是猜测。请给出带地面的点云；如果 z 是离地高度，请设置 ground.method=normalised</translation>
+        </message>
+        <message>
+            <source>%1 of %2 stems %3: %4</source>
+            <translation>%2 株中有 %1 株%3：%4</translation>
+        </message>
+        <message>
+            <source>go on well below the terrain</source>
+            <translation>一直延伸到地形以下很深</translation>
+        </message>
+        <message>
+            <source>the terrain is not the ground there, breast height is too high. Set ground.method=normalised if z is the height above ground, else lower ground.max_slope or give the cloud with its ground</source>
+            <translation>该处的地形不是地面，胸高偏高。如果 z 是离地高度，请设置 ground.method=normalised，否则请减小 ground.max_slope 或给出带地面的点云</translation>
+        </message>
+        <message>
+            <source>begin in the air and no ground was seen below them</source>
+            <translation>悬空开始，其下没有看到地面</translation>
+        </message>
+        <message>
+            <source>breast height is uncertain. Give the cloud with its ground, or scan from more sides</source>
+            <translation>胸高不确定。请给出带地面的点云，或从更多方向扫描</translation>
+        </message>
+        <message>
+            <source>do not widen at the lowest points of the cloud, and no ground lies there</source>
+            <translation>在点云的最低点处没有变粗，且该处没有地面</translation>
+        </message>
+        <message>
+            <source>heights count from those points. If feet are missing, breast height is too high and the diameter too small. Give the tree with some ground around it</source>
+            <translation>高度自这些点起算。如果缺少基部，则胸高偏高，直径偏小。请给出带有周围部分地面的树</translation>
+        </message>
+        <message>
+            <source>breast height counts from where these stems begin in the cloud, which may be above the ground. Give the cloud with its ground, or set ground.method=normalised if z is the height above ground</source>
+            <translation>胸高自这些单木在点云中开始处起算，可能高于地面。请给出带地面的点云；如果 z 是离地高度，请设置 ground.method=normalised</translation>
+        </message>
+        <message>
+            <source>breast height hangs on an interpolated terrain. Compare the heights of these feet with the plot</source>
+            <translation>胸高取决于内插的地形。请将这些基部的高度与样地比对</translation>
+        </message>
+        <message>
+            <source>stand where no ground was seen within 1 m</source>
+            <translation>所在处 1 m 内没有看到地面</translation>
+        </message>
+        <message>
+            <source>stem layer</source>
+            <translation>树干层</translation>
+        </message>
+        <message>
+            <source>stem %1 of %2</source>
+            <translation>%2 株中的第 %1 株</translation>
+        </message>
+        <message>
+            <source>rays through the candidates</source>
+            <translation>穿过候选的射线</translation>
+        </message>
+        <message>
+            <source>points of each tree</source>
+            <translation>每株树的点</translation>
+        </message>
+        <message>
+            <source>stem curves and crowns</source>
+            <translation>干曲线和树冠</translation>
+        </message>
+        <message>
+            <source>tops, volumes and crowns</source>
+            <translation>树梢、材积和树冠</translation>
+        </message>
+        <message>
+            <source>the cloud does not say how wide the beam of its sensor is: a divergence of %1 mrad and %2 mm at the sensor are taken, as of a VLP-32C. Set beam_divergence and beam_aperture, or name the sensor when the scan is read</source>
+            <translation>点云没有说明其传感器光束的宽度：采用发散角 %1 mrad 和传感器处 %2 mm，与 VLP-32C 相同。请设置 beam_divergence 和 beam_aperture，或在读取扫描时指定传感器</translation>
+        </message>
+        <message>
+            <source>the cloud does not say how wide the beam of its sensor is: a divergence of %1 mrad and %2 mm at the sensor are taken. Set beam_divergence and beam_aperture, or name the sensor when the scan is read</source>
+            <translation>点云没有说明其传感器光束的宽度：采用发散角 %1 mrad 和传感器处 %2 mm。请设置 beam_divergence 和 beam_aperture，或在读取扫描时指定传感器</translation>
+        </message>
+        <message>
+            <source>the maker of %1 does not state its beam: %2 mrad of a similar sensor are taken, and the intervals allow for +-%3 mrad. Set beam_divergence where it is known</source>
+            <translation>%1 的厂家没有说明其光束：采用类似传感器的 %2 mrad，区间计入 +-%3 mrad。如果已知，请设置 beam_divergence</translation>
+        </message>
+        <message>
+            <source>at least 0.5 m between them</source>
+            <translation>两者至少相差 0.5 m</translation>
+        </message>
+        <message>
+            <source>options search_bottom %1 m and search_top %2 m</source>
+            <translation>选项 search_bottom 为 %1 m，search_top 为 %2 m</translation>
+        </message>
+        <message>
+            <source>max_dbh above min_dbh</source>
+            <translation>max_dbh 大于 min_dbh</translation>
+        </message>
+        <message>
+            <source>options min_dbh %1 cm and max_dbh %2 cm</source>
+            <translation>选项 min_dbh 为 %1 cm，max_dbh 为 %2 cm</translation>
+        </message>
+        <message>
+            <source>no stem found: no point lies %1 to %2 m above ground; set search_bottom and search_top to heights that the cloud has</source>
+            <translation>没有找到单木：离地 %1 至 %2 m 处没有点；请将 search_bottom 和 search_top 设为点云所具有的高度</translation>
+        </message>
+        <message>
+            <source>no stem found: %1 points between %2 and %3 m, but no circle of %4 deg among them; lower min_arc or min_dbh, or change the search heights</source>
+            <translation>没有找到单木：%2 至 %3 m 之间有 %1 个点，但其中没有达到 %4 度的圆；请减小 min_arc 或 min_dbh，或改变搜索高度</translation>
+        </message>
+        <message>
+            <source>no stem found: %1 circles, none of them at min_sections = %2 heights above one another; lower it, or widen search_bottom to search_top</source>
+            <translation>没有找到单木：有 %1 个圆，但没有一处在 min_sections = %2 个高度上重叠；请减小它，或扩大 search_bottom 至 search_top 的范围</translation>
+        </message>
+        <message>
+            <source>no stem found: all %1 candidates were rejected; the table 'rejected' says why</source>
+            <translation>没有找到单木：全部 %1 个候选都被拒绝；原因见表“rejected”</translation>
+        </message>
+        <message>
+            <source>%1 stems, %2 to check, %3 candidates rejected</source>
+            <translation>%1 株单木，%2 株待查，拒绝 %3 个候选</translation>
+        </message>
+        <message>
+            <source>model is 'ray' but no sensor position is known: the surface distance was used. Give sensor_x, sensor_y, sensor_z, or time with a trajectory</source>
+            <translation>model 为“ray”，但没有已知的传感器位置：采用到表面的距离。请给出 sensor_x、sensor_y、sensor_z，或时间和轨迹</translation>
+        </message>
+        <message>
+            <source>passes of the walk disagree by %1 cm: they were brought together by the stems</source>
+            <translation>行走的各次经过相差 %1 cm：已由单木使其重合</translation>
+        </message>
+        <message>
+            <source>a point of the outline is no number</source>
+            <translation>轮廓的一个点不是数</translation>
+        </message>
+        <message>
+            <source>a point of the tree lies more than 1 km from its stem, or one of both has no place</source>
+            <translation>树的一个点距其树干超过 1 km，或两者之一没有位置</translation>
+        </message>
+        <message>
+            <source>the crown</source>
+            <translation>树冠</translation>
+        </message>
+        <message>
+            <source>the stem curve</source>
+            <translation>干曲线</translation>
+        </message>
+        <message>
+            <source>the volume</source>
+            <translation>材积</translation>
+        </message>
+        <message>
+            <source>the cloud ends at the highest points of %1 of %2 trees, where the stems around them are still thick: their heights are lower bounds, without volume. Give the cloud with its tops, or scan from further away</source>
+            <translation>%2 株中有 %1 株，点云在其最高点处结束，而周围树干在该处仍很粗：其高度为下限，没有材积。请给出带树梢的点云，或从更远处扫描</translation>
+        </message>
+        <message>
+            <source>the cloud ends at the highest points of %1 of %2 trees: it was cut at z = %3 m; their heights are lower bounds, without volume. Give the cloud with its tops</source>
+            <translation>%2 株中有 %1 株，点云在其最高点处结束：点云在 z = %3 m 处被截断；其高度为下限，没有材积。请给出带树梢的点云</translation>
+        </message>
+        <message>
+            <source>the cloud ends at the highest points of %1 of %2 trees: it was cut %3 m above the ground; their heights are lower bounds, without volume. Give the cloud with its tops</source>
+            <translation>%2 株中有 %1 株，点云在其最高点处结束：点云在离地 %3 m 处被截断；其高度为下限，没有材积。请给出带树梢的点云</translation>
+        </message>
+        <message>
+            <source>evidence of %1 stems</source>
+            <translation>%1 株单木的证据</translation>
+        </message>
+        <message>
+            <source>priors of %1 stems</source>
+            <translation>%1 株单木的先验值</translation>
+        </message>
+        <message>
+            <source>%1 points, %2 trees</source>
+            <translation>%1 个点，%2 株树</translation>
+        </message>
+        <message>
+            <source>%1 points at %2 m above ground</source>
+            <translation>离地 %2 m 处有 %1 个点</translation>
+        </message>
+    </context>
+    <context>
+        <name>survey</name>
+        <message>
+            <source>. Go to (%1, %2), %3 m from the centre at %4 deg from north</source>
+            <translation>。请到 (%1, %2)，距中心 %3 m，方位 %4 度</translation>
+        </message>
+        <message>
+            <source>look</source>
+            <translation>查看</translation>
+        </message>
+        <message>
+            <source>sign</source>
+            <translation>签字</translation>
+        </message>
+        <message>
+            <source>walk again</source>
+            <translation>重走</translation>
+        </message>
+        <message>
+            <source>Connect a cloud or a stem table</source>
+            <translation>请连接点云或单木表</translation>
+        </message>
+        <message>
+            <source>at least one of them</source>
+            <translation>至少其中之一</translation>
+        </message>
+        <message>
+            <source>neither points nor stems are connected</source>
+            <translation>点和单木都未连接</translation>
+        </message>
+        <message>
+            <source>Measuring the cells</source>
+            <translation>测量各单元</translation>
+        </message>
+        <message>
+            <source>Measuring the stems</source>
+            <translation>测量单木</translation>
+        </message>
+        <message>
+            <source>Looking for stems that are not in the table</source>
+            <translation>查找表中没有的单木</translation>
+        </message>
+        <message>
+            <source>%1: %2 reasons in %3 m2</source>
+            <translation>%1：%3 m2 中有 %2 条理由</translation>
+        </message>
+        <message>
+            <source>level</source>
+            <translation>水平</translation>
+        </message>
+        <message>
+            <source>there is no stem table</source>
+            <translation>没有单木表</translation>
+        </message>
+        <message>
+            <source>fewer than 5 stems with a lean</source>
+            <translation>有倾斜值的单木不足 5 株</translation>
+        </message>
+        <message>
+            <source>the stems lean by %1 deg together, and z is up by gravity to %2 deg: the stand leans, not the frame</source>
+            <translation>单木共同倾斜 %1 度，而按重力 z 轴竖直到 %2 度：倾斜的是林分，不是坐标框架</translation>
+        </message>
+        <message>
+            <source>the stems lean by %1 +- %2 deg together, towards %3 deg from north: the frame is tilted, or the whole stand leans. A tilt moves stems by %4 cm at breast height and terrain by %5 cm over 10 m. Level by the stems (level=stems), or check the slope by hand</source>
+            <translation>单木共同倾斜 %1 +- %2 度，朝向北偏 %3 度：坐标框架倾斜，或整个林分倾斜。倾斜使单木在胸高处移动 %4 cm，使地形在 10 m 上变化 %5 cm。请按单木整平（level=stems），或实地检查坡度</translation>
+        </message>
+        <message>
+            <source>targets</source>
+            <translation>标靶</translation>
+        </message>
+        <message>
+            <source>targets are not connected</source>
+            <translation>未连接标靶</translation>
+        </message>
+        <message>
+            <source>none are needed (targets=0)</source>
+            <translation>不需要标靶（targets=0）</translation>
+        </message>
+        <message>
+            <source>%1 of %2 targets were found (%3): north of the plot is not known. Say targets=%4 if no more stood there</source>
+            <translation>找到 %2 个标靶中的 %1 个（%3）：样地的北方向未知。如果实地只有这些，请设置 targets=%4</translation>
+        </message>
+        <message>
+            <source>%1 of %2 targets were found (%3): origin and north of the plot are not known. Say targets=%4 if no more stood there</source>
+            <translation>找到 %2 个标靶中的 %1 个（%3）：样地的原点和北方向未知。如果实地只有这些，请设置 targets=%4</translation>
+        </message>
+        <message>
+            <source>%1 of %2 targets were found: north of the plot is not known. Say targets=%3 if no more stood there</source>
+            <translation>找到 %2 个标靶中的 %1 个：样地的北方向未知。如果实地只有这些，请设置 targets=%3</translation>
+        </message>
+        <message>
+            <source>%1 of %2 targets were found: origin and north of the plot are not known. Say targets=%3 if no more stood there</source>
+            <translation>找到 %2 个标靶中的 %1 个：样地的原点和北方向未知。如果实地只有这些，请设置 targets=%3</translation>
+        </message>
+        <message>
+            <source>distance of the targets</source>
+            <translation>标靶间的距离</translation>
+        </message>
+        <message>
+            <source>the distance by tape is not given</source>
+            <translation>没有给出卷尺量得的距离</translation>
+        </message>
+        <message>
+            <source>the targets stand %1 m apart in the map and %2 m by tape (%3 m): the map is bent, or something else was taken for a target</source>
+            <translation>标靶在地图中相距 %1 m，卷尺量得 %2 m（%3 m）：地图弯曲，或误将别的东西当作标靶</translation>
+        </message>
+        <message>
+            <source>there are no loop closures or no trajectory</source>
+            <translation>没有回环或没有轨迹</translation>
+        </message>
+        <message>
+            <source>none were found, or the poses were given</source>
+            <translation>没有找到回环，或位姿是给定的</translation>
+        </message>
+        <message>
+            <source>%1 lie outside of the trajectory</source>
+            <translation>%1 个位于轨迹之外</translation>
+        </message>
+        <message>
+            <source>%1 of %2 loop closures disagree with the final trajectory, by up to %3 m and %4 deg: one of them is wrong, or the map is strained. Run slam again without it</source>
+            <translation>%2 个回环中有 %1 个与最终轨迹不一致，最大达 %3 m 和 %4 度：其中一个有误，或地图受到拉扯。请去掉它重新运行 slam</translation>
+        </message>
+        <message>
+            <source>ground, density and directions of view</source>
+            <translation>地面、密度和观测方向</translation>
+        </message>
+        <message>
+            <source>there is no cloud</source>
+            <translation>没有点云</translation>
+        </message>
+        <message>
+            <source>cover</source>
+            <translation>覆盖情况</translation>
+        </message>
+        <message>
+            <source>no cell lies in the plot</source>
+            <translation>样地中没有单元</translation>
+        </message>
+        <message>
+            <source>ground seen</source>
+            <translation>看到的地面</translation>
+        </message>
+        <message>
+            <source>the points have no heights above the ground</source>
+            <translation>点没有离地高度</translation>
+        </message>
+        <message>
+            <source>directions of view</source>
+            <translation>观测方向</translation>
+        </message>
+        <message>
+            <source>the cloud does not know from where its points were seen</source>
+            <translation>点云不含其点的观测位置</translation>
+        </message>
+        <message>
+            <source>%1the ground of %2 % of the plot was never seen (%3 % hold no point at all); the largest hole has %4 m2. Terrain, heights and stems are guesses there</source>
+            <translation>%1样地有 %2 % 的地面从未看到（%3 % 完全没有点）；最大的空洞为 %4 m2。该处的地形、高度和单木只是猜测</translation>
+        </message>
+        <message>
+            <source>%1the ground of %2 % of the surveyed area was never seen (%3 % hold no point at all); the largest hole has %4 m2. Terrain, heights and stems are guesses there</source>
+            <translation>%1调查区域有 %2 % 的地面从未看到（%3 % 完全没有点）；最大的空洞为 %4 m2。该处的地形、高度和单木只是猜测</translation>
+        </message>
+        <message>
+            <source>%1 % of the plot have fewer ground points than %2 % of the usual %3 per cell of %4 m: seen from afar or through leaves only</source>
+            <translation>样地有 %1 % 的地面点少于通常值的 %2 %（每个 %4 m 的单元 %3 个）：只从远处或透过枝叶看到</translation>
+        </message>
+        <message>
+            <source>%1 % of the plot were seen from one side only (directions of view within %2 deg): diameters there rest on one side of the stems</source>
+            <translation>样地有 %1 % 只从一侧看到（观测方向在 %2 度以内）：该处的直径只依据树干的一侧</translation>
+        </message>
+        <message>
+            <source>places that were not walked</source>
+            <translation>没有走到的地方</translation>
+        </message>
+        <message>
+            <source>there is no trajectory</source>
+            <translation>没有轨迹</translation>
+        </message>
+        <message>
+            <source>the plot has no boundary</source>
+            <translation>样地没有边界</translation>
+        </message>
+        <message>
+            <source>%1 % of the plot lie farther from the walk than %2 m (%3 m at the rim), up to %4 m, while three quarters of it lie within %5 m: a lane was left out. Walk it</source>
+            <translation>样地有 %1 % 距行走路线超过 %2 m（边缘处 %3 m），最远 %4 m，而四分之三在 %5 m 以内：漏走了一条线。请补走</translation>
+        </message>
+        <message>
+            <source>stems of two passes lie %1 cm apart (median of %2 places), more than %3 cm in %4 % of them: passes do not meet. Look for a loop closure that slipped, and run slam again without it</source>
+            <translation>两次经过的单木相距 %1 cm（%2 处的中位数），其中 %4 % 超过 %3 cm：各次经过不重合。请查找错误的回环，去掉它重新运行 slam</translation>
+        </message>
+        <message>
+            <source>the ground of two passes lie %1 cm apart (median of %2 places), more than %3 cm in %4 % of them: passes do not meet. Look for a loop closure that slipped, and run slam again without it</source>
+            <translation>两次经过的地面相距 %1 cm（%2 处的中位数），其中 %4 % 超过 %3 cm：各次经过不重合。请查找错误的回环，去掉它重新运行 slam</translation>
+        </message>
+        <message>
+            <source>%1 pairs of stems of like diameter stand %2 m apart in the same direction: parts of the walk were mapped beside each other, and trees stand there twice. Run slam again, or walk again</source>
+            <translation>%1 对直径相近的单木在同一方向上相距 %2 m：行走的几段被并排成图，树木在该处出现两次。请重新运行 slam，或重走</translation>
+        </message>
+        <message>
+            <source>fewer than 4 stems have enough points on their bark</source>
+            <translation>树皮上点数足够的单木不足 4 株</translation>
+        </message>
+        <message>
+            <source>walls</source>
+            <translation>树干壁</translation>
+        </message>
+        <message>
+            <source>the points scatter by %1 cm about the bark (median of %2 stems; %3 % above %4 cm): walls are doubled or blurred, and diameters are those of the blur</source>
+            <translation>点在树皮附近的离散为 %1 cm（%2 株的中位数；%3 % 超过 %4 cm）：树干壁重影或模糊，直径是模糊后的直径</translation>
+        </message>
+        <message>
+            <source>passes</source>
+            <translation>各次经过</translation>
+        </message>
+        <message>
+            <source>the cloud does not tell passes apart (no pass, no time)</source>
+            <translation>点云不区分各次经过（没有 pass，没有 time）</translation>
+        </message>
+        <message>
+            <source>the ground</source>
+            <translation>地面</translation>
+        </message>
+        <message>
+            <source>hardly any place was seen in two passes</source>
+            <translation>几乎没有地方被两次经过看到</translation>
+        </message>
+        <message>
+            <source>%1 and %2 more</source>
+            <translation>%1 及另外 %2 个</translation>
+        </message>
+        <message>
+            <source>%1 pairs of stems stand in each other (%2): one tree twice, or a fork below breast height</source>
+            <translation>%1 对单木互相重叠（%2）：同一株计了两次，或在胸高以下分叉</translation>
+        </message>
+        <message>
+            <source>no ground was seen within 1 m of %1 of %2 stems (%3): their breast height and height rest on terrain that was filled in</source>
+            <translation>%2 株中有 %1 株（%3）周围 1 m 内没有看到地面：其胸高和树高依据填补的地形</translation>
+        </message>
+        <message>
+            <source>the tops of %1 of %2 stems were not seen: their heights are lower bounds</source>
+            <translation>%2 株中有 %1 株没有看到树梢：其高度为下限</translation>
+        </message>
+        <message>
+            <source>the cloud shows no bark where %1 stems of the table stand (%2): table and map do not belong together there</source>
+            <translation>表中 %1 株单木（%2）所在处点云没有树皮：该处的表与地图不相符</translation>
+        </message>
+        <message>
+            <source>%1 trees stand so near the boundary that in or out is in doubt (%2; rule: %3): %4 % of the basal area. Decide them by tape</source>
+            <translation>%1 株树离边界太近，在内在外有疑（%2；规则：%3）：占断面积的 %4 %。请用卷尺判定</translation>
+        </message>
+        <message>
+            <source>by the rule %1 %2 trees fall otherwise than in the values of the plot, which count by the centre at breast height: %3. Reject those that are out (stems.edit), and add the others</source>
+            <translation>按规则 %1，%2 株树的归属与样地统计值不同，后者按胸高处的中心计：%3。请拒绝在外的（stems.edit），并添加其余的</translation>
+        </message>
+        <message>
+            <source>the table has no stem in the plot</source>
+            <translation>表中样地内没有单木</translation>
+        </message>
+        <message>
+            <source>%1 upright round structures have no stem in the table (the thickest about %2 cm): trees may be left out</source>
+            <translation>%1 个直立的圆形结构在表中没有单木（最粗约 %2 cm）：可能漏了树</translation>
+        </message>
+        <message>
+            <source>trees on the boundary</source>
+            <translation>边界上的树</translation>
+        </message>
+        <message>
+            <source>(%1, %2, %3) with %4 points</source>
+            <translation>(%1, %2, %3)，%4 个点</translation>
+        </message>
+        <message>
+            <source>%1 targets were found but no two of them are %2 +- %3 m apart (distances: %4 m)</source>
+            <translation>找到 %1 个标靶，但没有两个相距 %2 +- %3 m（距离：%4 m）</translation>
+        </message>
+        <message>
+            <source>%1 targets were found but no two of them are %2 m or more apart (distances: %3 m)</source>
+            <translation>找到 %1 个标靶，但没有两个相距 %2 m 或更远（距离：%3 m）</translation>
+        </message>
+        <message>
+            <source>one target at %1 gives the origin; the heading of the map was kept, since it takes two targets to tell north</source>
+            <translation>位于 %1 的一个标靶给出原点；地图的方位保持不变，因为需要两个标靶才能得知北方向</translation>
+        </message>
+        <message>
+            <source>there is no trajectory to tell which target is the centre: %1, seen from more positions, was taken for it</source>
+            <translation>没有轨迹来判断哪个标靶是中心：取从更多位置看到的 %1</translation>
+        </message>
+        <message>
+            <source>%1 pairs of targets are possible: %2 was taken for the centre and %3 for the north; target_distance would tell</source>
+            <translation>可能的标靶对有 %1 个：取 %2 为中心，%3 为北；target_distance 可以确定</translation>
+        </message>
+        <message>
+            <source>edit %1 (%2) changes nothing: its selection holds none of %3 points. The cloud or its axes are not those that it was made with: delete the edit or make it again</source>
+            <translation>第 %1 项编辑（%2）没有改变任何内容：其选区不含 %3 个点中的任何一个。点云或其坐标轴与作编辑时不同：请删除该编辑或重做</translation>
+        </message>
+        <message>
+            <source>%1 edits of points</source>
+            <translation>%1 项点编辑</translation>
+        </message>
+        <message>
+            <source>Give the points the names of targets (centre, north), or x_m and y_m beside them</source>
+            <translation>请以标靶的名称（centre、north）命名各点，或在旁给出 x_m 和 y_m</translation>
+        </message>
+        <message>
+            <source>no control point has both coordinates and a place in the map</source>
+            <translation>没有控制点既有坐标又有在地图中的位置</translation>
+        </message>
+        <message>
+            <source>two points, or one and a bearing</source>
+            <translation>两个点，或一个点和方位角</translation>
+        </message>
+        <message>
+            <source>Measure a second point, or set bearing</source>
+            <translation>请测量第二个点，或设置 bearing</translation>
+        </message>
+        <message>
+            <source>there is one control point ('%1'): it gives no direction</source>
+            <translation>只有一个控制点（“%1”）：不能给出方向</translation>
+        </message>
+        <message>
+            <source>Measure a point at the other end of the plot</source>
+            <translation>请在样地另一端测量一个点</translation>
+        </message>
+        <message>
+            <source>points more than %1 m apart, or a bearing</source>
+            <translation>相距超过 %1 m 的点，或方位角</translation>
+        </message>
+        <message>
+            <source>the control points lie within %1 m of one another in the map: they give no direction</source>
+            <translation>控制点在地图中彼此相距不到 %1 m：不能给出方向</translation>
+        </message>
+        <message>
+            <source>Exchange the two columns, or check which point has which name</source>
+            <translation>请交换两列，或检查各点的名称是否对应</translation>
+        </message>
+        <message>
+            <source>the control points fit the map only when it is mirrored (residuals %1 m, mirrored %2 m)</source>
+            <translation>控制点只有在地图成镜像时才相符（残差 %1 m，镜像时 %2 m）</translation>
+        </message>
+        <message>
+            <source>the easting in easting_m and the northing in northing_m</source>
+            <translation>东坐标在 easting_m，北坐标在 northing_m</translation>
+        </message>
+        <message>
+            <source>the bearing differs by %1 deg from the direction of the control points (standard deviation %2 deg) and is not used. Check declination, its sign, and which point is which</source>
+            <translation>方位角与控制点的方向相差 %1 度（标准差 %2 度），未采用。请检查磁偏角及其符号，以及各点是否对应</translation>
+        </message>
+        <message>
+            <source>control point '%1' lies %2 m from where the others put it (limit %3 m), but an error of %4 would explain it as well: too few points to tell. Measure them again, or add one</source>
+            <translation>控制点“%1”偏离其余各点所定的位置 %2 m（限差 %3 m），但 %4 的误差同样可以解释：点数太少，无法判断。请重新测量，或增加一个</translation>
+        </message>
+        <message>
+            <source>control point '%1' lies %2 m from where the others put it (limit %3 m). Check its coordinates, its name and its place in the map</source>
+            <translation>控制点“%1”偏离其余各点所定的位置 %2 m（限差 %3 m）。请检查其坐标、名称和在地图中的位置</translation>
+        </message>
+        <message>
+            <source>control point '%1' lies %2 m from where the others put it (limit %3 m): it is left out. Check its coordinates, its name and its place in the map</source>
+            <translation>控制点“%1”偏离其余各点所定的位置 %2 m（限差 %3 m）：已剔除。请检查其坐标、名称和在地图中的位置</translation>
+        </message>
+        <message>
+            <source>the control points have no heights: heights stay those of the plot</source>
+            <translation>控制点没有高程：高度保持为样地的高度</translation>
+        </message>
+        <message>
+            <source>the heights of the control points are not used: the map has no height for them</source>
+            <translation>未采用控制点的高程：地图没有对应的高度</translation>
+        </message>
+        <message>
+            <source>the height of control point '%1' is %2 m off where the others put it. Check its height, and whether it was measured on the target or on the ground (height_of)</source>
+            <translation>控制点“%1”的高程偏离其余各点所定的值 %2 m。请检查其高程，以及是在标靶上还是在地面上测量的（height_of）</translation>
+        </message>
+        <message>
+            <source>the height of control point '%1' is %2 m off where the others put it: it is left out. Check its height, and whether it was measured on the target or on the ground (height_of)</source>
+            <translation>控制点“%1”的高程偏离其余各点所定的值 %2 m：已剔除。请检查其高程，以及是在标靶上还是在地面上测量的（height_of）</translation>
+        </message>
+        <message>
+            <source>the residuals of the control heights are %1 times as large as height_sd says</source>
+            <translation>控制点高程的残差是 height_sd 所示的 %1 倍</translation>
+        </message>
+        <message>
+            <source>the %1 points with control heights lie on a line: they cannot level the plot, whose level is kept (%2 deg). Measure one to the side, or set level=false</source>
+            <translation>有高程的 %1 个控制点在一条直线上：不能用来整平样地，样地的水平保持不变（%2 度）。请在旁侧再测一个，或设置 level=false</translation>
+        </message>
+        <message>
+            <source>the control heights tilt the plot by %1 deg +- %2, more than its level was thought to be off (level_sd %3 deg). They were followed; if a height is wrong, correct it or set level=false</source>
+            <translation>控制点高程使样地倾斜 %1 度 +- %2，超过预计的水平偏差（level_sd %3 度）。已采用；如果某个高程有误，请更正，或设置 level=false</translation>
+        </message>
+        <message>
+            <source>Check the heights, and whether they were measured on the target or on the ground (height_of)</source>
+            <translation>请检查高程，以及是在标靶上还是在地面上测量的（height_of）</translation>
+        </message>
+        <message>
+            <source>a control height is %1 m off the adjusted plot</source>
+            <translation>一个控制点高程偏离平差后的样地 %1 m</translation>
+        </message>
+        <message>
+            <source>residuals of at most %1 m (max_residual)</source>
+            <translation>残差至多 %1 m（max_residual）</translation>
+        </message>
+        <message>
+            <source>row %1</source>
+            <translation>第 %1 行</translation>
+        </message>
+        <message>
+            <source>Transform them to one zone</source>
+            <translation>请将它们转换到同一投影带</translation>
+        </message>
+        <message>
+            <source>all points in one coordinate system</source>
+            <translation>所有点在同一坐标系中</translation>
+        </message>
+        <message>
+            <source>the control points '%1' and '%2' are of different zones (%3 %4 and %5)</source>
+            <translation>控制点“%1”和“%2”属于不同的投影带（%3 %4 和 %5）</translation>
+        </message>
+        <message>
+            <source>Transform them to one zone, and check that none has its axes exchanged</source>
+            <translation>请将它们转换到同一投影带，并检查没有点的坐标轴被交换</translation>
+        </message>
+        <message>
+            <source>all points in one zone</source>
+            <translation>所有点在同一投影带中</translation>
+        </message>
+        <message>
+            <source>the point '%1' with easting %2 and northing %3 m lies far outside %4, the others do not (%5 of %6 points)</source>
+            <translation>东坐标 %2、北坐标 %3 m 的点“%1”远在 %4 之外，其余的点则不然（%6 个点中的 %5 个）</translation>
+        </message>
+        <message>
+            <source>Exchange the two columns</source>
+            <translation>请交换两列</translation>
+        </message>
+        <message>
+            <source>the point '%1' with easting %2 and northing %3 m lies far outside %4; with easting and northing exchanged it lies within</source>
+            <translation>东坐标 %2、北坐标 %3 m 的点“%1”远在 %4 之外；交换东坐标和北坐标后在其内</translation>
+        </message>
+        <message>
+            <source>Take the first digits away, or set crs to the system with them (EPSG:4647 for UTM 32)</source>
+            <translation>请去掉前几位数字，或将 crs 设为带带号的坐标系（UTM 32 为 EPSG:4647）</translation>
+        </message>
+        <message>
+            <source>eastings without the number of the zone</source>
+            <translation>不含带号的东坐标</translation>
+        </message>
+        <message>
+            <source>the point '%1' with easting %2 and northing %3 m lies far outside %4; the zone number %5 stands before its easting</source>
+            <translation>东坐标 %2、北坐标 %3 m 的点“%1”远在 %4 之外；其东坐标前带有带号 %5</translation>
+        </message>
+        <message>
+            <source>Check crs and the units of the file (metres)</source>
+            <translation>请检查 crs 和文件的单位（米）</translation>
+        </message>
+        <message>
+            <source>the point '%1' with easting %2 and northing %3 m lies far outside %4</source>
+            <translation>东坐标 %2、北坐标 %3 m 的点“%1”远在 %4 之外</translation>
+        </message>
+        <message>
+            <source>the latitude in latitude_deg and the longitude in longitude_deg</source>
+            <translation>纬度在 latitude_deg，经度在 longitude_deg</translation>
+        </message>
+        <message>
+            <source>the point '%1' with latitude %2 and longitude %3 deg lies far outside %4; with latitude and longitude exchanged it lies within</source>
+            <translation>纬度 %2、经度 %3 度的点“%1”远在 %4 之外；交换纬度和经度后在其内</translation>
+        </message>
+        <message>
+            <source>Check crs, and the sign of western longitudes</source>
+            <translation>请检查 crs，以及西经的符号</translation>
+        </message>
+        <message>
+            <source>positions where the system is used</source>
+            <translation>该坐标系适用范围内的位置</translation>
+        </message>
+        <message>
+            <source>the point '%1' with latitude %2 and longitude %3 deg lies far outside %4</source>
+            <translation>纬度 %2、经度 %3 度的点“%1”远在 %4 之外</translation>
+        </message>
+        <message>
+            <source>Choose the system of today (UTM of ETRS89: EPSG:258xx), or transform the points and give easting_m and northing_m</source>
+            <translation>请选择现行坐标系（ETRS89 的 UTM：EPSG:258xx），或转换各点并给出 easting_m 和 northing_m</translation>
+        </message>
+        <message>
+            <source>a system on WGS84, ETRS89 or another datum of today</source>
+            <translation>基于 WGS84、ETRS89 或其他现行基准的坐标系</translation>
+        </message>
+        <message>
+            <source>latitude and longitude are given for %1, whose datum lies %2 m from that of GNSS receivers</source>
+            <translation>为 %1 给出了纬度和经度，而其基准与 GNSS 接收机的基准相差 %2 m</translation>
+        </message>
+        <message>
+            <source>no targets</source>
+            <translation>没有标靶</translation>
+        </message>
+        <message>
+            <source>Set crs, for instance crs=EPSG:25832</source>
+            <translation>请设置 crs，例如 crs=EPSG:25832</translation>
+        </message>
+        <message>
+            <source>an EPSG code or WKT</source>
+            <translation>EPSG 代码或 WKT</translation>
+        </message>
+        <message>
+            <source>the coordinate system of the control points is not given</source>
+            <translation>没有给出控制点的坐标系</translation>
+        </message>
+        <message>
+            <source>Rename the columns</source>
+            <translation>请重命名各列</translation>
+        </message>
+        <message>
+            <source>easting_m and northing_m, or latitude_deg and longitude_deg</source>
+            <translation>easting_m 和 northing_m，或 latitude_deg 和 longitude_deg</translation>
+        </message>
+        <message>
+            <source>the coordinates have the columns %1</source>
+            <translation>坐标的列为 %1</translation>
+        </message>
+        <message>
+            <source>Take one of them away, or give it another name and its x_m, y_m</source>
+            <translation>请去掉其中一个，或给它另一名称及其 x_m、y_m</translation>
+        </message>
+        <message>
+            <source>each point once</source>
+            <translation>每个点一次</translation>
+        </message>
+        <message>
+            <source>the control point '%1' stands in rows %2 and %3</source>
+            <translation>控制点“%1”在第 %2 行和第 %3 行出现</translation>
+        </message>
+        <message>
+            <source>control points %1 are not used: no target has that name (%2) and the file has no x_m, y_m for them</source>
+            <translation>未采用控制点 %1：没有同名的标靶（%2），文件中也没有它们的 x_m、y_m</translation>
+        </message>
+        <message>
+            <source>control points %1 are not used: their coordinates are missing</source>
+            <translation>未采用控制点 %1：缺少其坐标</translation>
+        </message>
+        <message>
+            <source>Are they of different zones, or does one have the zone number before its easting?</source>
+            <translation>它们属于不同的投影带，还是其中一个的东坐标前带有带号？</translation>
+        </message>
+        <message>
+            <source>control points '%1' and '%2' are %3 km apart by their coordinates and %4 m in the map</source>
+            <translation>控制点“%1”和“%2”按坐标相距 %3 km，在地图中相距 %4 m</translation>
+        </message>
+        <message>
+            <source>points of one plot in one coordinate system</source>
+            <translation>同一样地在同一坐标系中的点</translation>
+        </message>
+        <message>
+            <source>the distances between the control points are %1 times those in the map: their coordinates seem to be %2</source>
+            <translation>控制点之间的距离是地图中的 %1 倍：其坐标看来以%2为单位</translation>
+        </message>
+        <message>
+            <source>Check the names of the points and their coordinates</source>
+            <translation>请检查各点的名称及其坐标</translation>
+        </message>
+        <message>
+            <source>; to '%1' %2 m by coordinates, %3 m in the map</source>
+            <translation>；到“%1”按坐标为 %2 m，在地图中为 %3 m</translation>
+        </message>
+        <message>
+            <source>to '%1' %2 m by coordinates, %3 m in the map</source>
+            <translation>到“%1”按坐标为 %2 m，在地图中为 %3 m</translation>
+        </message>
+        <message>
+            <source>the distances between the control points do not fit the plot: '%1' is left with %2 m (%3)</source>
+            <translation>控制点之间的距离与样地不符：“%1”剩余 %2 m（%3）</translation>
+        </message>
+        <message>
+            <source>the residuals of the control points are %1 times as large as control_sd and map_sd say; the standard errors were raised by this factor</source>
+            <translation>控制点的残差是 control_sd 和 map_sd 所示的 %1 倍；标准误差已按此倍数放大</translation>
+        </message>
+        <message>
+            <source>control_sd is open and the control points have %1 redundancies: the standard error of the place (%2 cm) rests on that alone and is wide. State control_sd (or sd_m per point) where the survey of the points tells it</source>
+            <translation>未给定 control_sd，而控制点有 %1 个多余观测：位置的标准误差（%2 cm）只依据于此，因而较大。如果控制测量给出了精度，请设置 control_sd（或每点的 sd_m）</translation>
+        </message>
+        <message>
+            <source>control_sd is open and the control points have %1 redundancy: the standard error of the place (%2 cm) rests on that alone and is wide. State control_sd (or sd_m per point) where the survey of the points tells it</source>
+            <translation>未给定 control_sd，而控制点有 %1 个多余观测：位置的标准误差（%2 cm）只依据于此，因而较大。如果控制测量给出了精度，请设置 control_sd（或每点的 sd_m）</translation>
+        </message>
+        <message>
+            <source>%1: %2 of %3 control points, residuals %4 cm, turn %5 +- %6 deg, place of the farthest stem +- %7 cm</source>
+            <translation>%1：%3 个控制点中的 %2 个，残差 %4 cm，旋转 %5 +- %6 度，最远单木的位置 +- %7 cm</translation>
+        </message>
+        <message>
+            <source>the control points have no redundancy: an error in one of them would not be seen. Measure one more</source>
+            <translation>控制点没有多余观测：其中一个的误差无法发现。请再测一个</translation>
+        </message>
+        <message>
+            <source>the standard error of the place reaches %1 m at the edge of the plot: the control points are too near together, or the bearing is too uncertain</source>
+            <translation>样地边缘处位置的标准误差达 %1 m：控制点相距太近，或方位角太不确定</translation>
+        </message>
+        <message>
+            <source>the y axis of the plot points %1 deg from grid north. This is right where the north target was not set to the north (survey.frame: north_bearing); else centre and north may be exchanged</source>
+            <translation>样地的 y 轴偏离坐标北 %1 度。如果北标靶没有设在正北（survey.frame: north_bearing），这是对的；否则中心和北可能弄反了</translation>
+        </message>
+        <message>
+            <source>only one of easting and northing is given</source>
+            <translation>东坐标和北坐标只给出一个</translation>
+        </message>
+        <message>
+            <source>only one of latitude and longitude is given</source>
+            <translation>纬度和经度只给出一个</translation>
+        </message>
+        <message>
+            <source>easting, northing and latitude, longitude of the centre are given</source>
+            <translation>同时给出了中心的东、北坐标和纬度、经度</translation>
+        </message>
+        <message>
+            <source>one of the two pairs</source>
+            <translation>两对中的一对</translation>
+        </message>
+        <message>
+            <source>Put the centre into the file, in a row with the name centre</source>
+            <translation>请将中心写入文件，放在名为 centre 的行</translation>
+        </message>
+        <message>
+            <source>a file of control points and coordinates of the centre are given</source>
+            <translation>同时给出了控制点文件和中心坐标</translation>
+        </message>
+        <message>
+            <source>Take it from the map sheet or a magnetic model, set declination; or set bearing_kind</source>
+            <translation>请从图幅或地磁模型查取，设置 declination；或设置 bearing_kind</translation>
+        </message>
+        <message>
+            <source>a magnetic bearing is given without the declination</source>
+            <translation>给出了磁方位角而没有磁偏角</translation>
+        </message>
+        <message>
+            <source>the declination of the place and day, east positive</source>
+            <translation>该地当日的磁偏角，东偏为正</translation>
+        </message>
+        <message>
+            <source>the control points ask for a scale of %1 +- %2; neither 1 nor that of the grid (%3) fits. Check the points farthest out, and the range scale of the sensor</source>
+            <translation>控制点要求的比例为 %1 +- %2；1 和格网比例（%3）都不符合。请检查最外侧的点，以及传感器的测距比例</translation>
+        </message>
+        <message>
+            <source>the control points ask for a scale of %1 +- %2, which speaks against scale=%3</source>
+            <translation>控制点要求的比例为 %1 +- %2，与 scale=%3 不符</translation>
+        </message>
+        <message>
+            <source>the residuals speak for the scale of the grid (%1: projection and height): it is used</source>
+            <translation>残差支持格网比例（%1：投影和高程）：采用该比例</translation>
+        </message>
+        <message>
+            <source>a metre in the plot is %1 m on the plane of the coordinate system (projection and height). The scale 1 is used: trees at the edge would move by up to %2 mm (part of position_se_m); scale=grid applies it</source>
+            <translation>样地中的一米在坐标系平面上为 %1 m（投影和高程）。采用比例 1：边缘的树木最多会移动 %2 mm（已计入 position_se_m）；scale=grid 采用格网比例</translation>
+        </message>
+        <message>
+            <source>a metre in the plot is %1 m on the plane of the coordinate system (projection and height). The scale 1 is used: trees at the edge would move by up to %2 mm; scale=grid applies it</source>
+            <translation>样地中的一米在坐标系平面上为 %1 m（投影和高程）。采用比例 1：边缘的树木最多会移动 %2 mm；scale=grid 采用格网比例</translation>
+        </message>
+        <message>
+            <source>there is no control height</source>
+            <translation>没有控制点高程</translation>
+        </message>
+        <message>
+            <source>at least two, or one and a bearing</source>
+            <translation>至少两个，或一个和方位角</translation>
+        </message>
+        <message>
+            <source>there is no control point</source>
+            <translation>没有控制点</translation>
+        </message>
+        <message>
+            <source>Measure a second point or set bearing</source>
+            <translation>请测量第二个点或设置 bearing</translation>
+        </message>
+        <message>
+            <source>the control points are all at one place, so that the turn of the plot is not known</source>
+            <translation>控制点都在同一位置，因此样地的旋转未知</translation>
+        </message>
+        <message>
+            <source>two points apart from one another, or one and a bearing</source>
+            <translation>两个分开的点，或一个点和方位角</translation>
+        </message>
+        <message>
+            <source>%1: with %2 s and with %3 s between the clocks the track fits alike (median distance %4 and %5 m)</source>
+            <translation>%1：时钟相差 %2 s 和 %3 s 时轨迹同样相符（中位距离 %4 和 %5 m）</translation>
+        </message>
+        <message>
+            <source>Set clock_offset and a small clock_window</source>
+            <translation>请设置 clock_offset 和较小的 clock_window</translation>
+        </message>
+        <message>
+            <source>a walk whose shape tells the time</source>
+            <translation>形状可确定时间的行走路线</translation>
+        </message>
+        <message>
+            <source>at least 2 and %1</source>
+            <translation>至少 2 个和 %1 个</translation>
+        </message>
+        <message>
+            <source>the walk has %1 poses, the track %2 fixes</source>
+            <translation>行走有 %1 个位姿，轨迹有 %2 个定位点</translation>
+        </message>
+        <message>
+            <source>Set clock_offset, or check that both are of one day</source>
+            <translation>请设置 clock_offset，或检查两者是否为同一天</translation>
+        </message>
+        <message>
+            <source>a track that was recorded during the walk</source>
+            <translation>行走期间记录的轨迹</translation>
+        </message>
+        <message>
+            <source>the times of the walk go from %1 to %2 s, those of the track from %3 to %4 s: no offset of the clocks brings half of the shorter one over the other</source>
+            <translation>行走的时间为 %1 至 %2 s，轨迹的时间为 %3 至 %4 s：没有时钟差能使较短者的一半与另一者重叠</translation>
+        </message>
+        <message>
+            <source>the times of the walk go from %1 to %2 s, those of the track from %3 to %4 s</source>
+            <translation>行走的时间为 %1 至 %2 s，轨迹的时间为 %3 至 %4 s</translation>
+        </message>
+        <message>
+            <source>%1 fixes of the track lie within the time of the walk</source>
+            <translation>轨迹有 %1 个定位点在行走的时间之内</translation>
+        </message>
+        <message>
+            <source>Check the clocks, or set clock_offset</source>
+            <translation>请检查时钟，或设置 clock_offset</translation>
+        </message>
+        <message>
+            <source>at least %1</source>
+            <translation>至少 %1</translation>
+        </message>
+        <message>
+            <source>Read it with its times, or give control points</source>
+            <translation>请连同时间读取，或给出控制点</translation>
+        </message>
+        <message>
+            <source>a column time_s</source>
+            <translation>列 time_s</translation>
+        </message>
+        <message>
+            <source>the track has no times</source>
+            <translation>轨迹没有时间</translation>
+        </message>
+        <message>
+            <source>%1 % of the positions of the track do not follow the walk</source>
+            <translation>GNSS 轨迹有 %1 % 的位置不符合行走路径</translation>
+        </message>
+        <message>
+            <source>a track of the walk</source>
+            <translation>行走的轨迹</translation>
+        </message>
+        <message>
+            <source>the track has %1 positions with times, the walk %2 poses</source>
+            <translation>轨迹有 %1 个带时间的位置，行走有 %2 个位姿</translation>
+        </message>
+        <message>
+            <source>Give control points, or a better track</source>
+            <translation>请给出控制点，或更好的轨迹</translation>
+        </message>
+        <message>
+            <source>the walk reaches %1 m and the track scatters by %2 m: the direction of the plot is known to %3 deg only</source>
+            <translation>行走范围为 %1 m，轨迹的离散为 %2 m：样地的方向只知道到 %3 度</translation>
+        </message>
+        <message>
+            <source>the track fits the walk with %1 s between the clocks, and with %2 s as well; the first was taken, since more of the recordings overlaps. Check it, or set clock_offset</source>
+            <translation>时钟相差 %1 s 时 GNSS 轨迹与行走相符，相差 %2 s 时也相符；采用前者，因为记录重叠更多。请检查，或设置 clock_offset</translation>
+        </message>
+        <message>
+            <source>%1: %2 positions of the track, scatter %3 m, clocks %4 +- %5 s apart, antenna at (%6, %7, %8) m of the sensor, turn %9 +- %10 deg, place +- %11 m</source>
+            <translation>%1：GNSS 轨迹的 %2 个位置，离散 %3 m，时钟相差 %4 +- %5 s，天线位于传感器的 (%6, %7, %8) m，旋转 %9 +- %10 度，位置 +- %11 m</translation>
+        </message>
+        <message>
+            <source>heights are those of the track: above the ellipsoid, or above the sea where the receiver gives no height of the geoid</source>
+            <translation>高度取自 GNSS 轨迹：为椭球高；接收机没有给出大地水准面高时为海拔高</translation>
+        </message>
+        <message>
+            <source>Export the cloud with times, or take the trajectory away</source>
+            <translation>请连同时间导出点云，或去掉轨迹</translation>
+        </message>
+        <message>
+            <source>the points have no times, so that a trajectory cannot be joined to them</source>
+            <translation>点没有时间，因此无法与轨迹合并</translation>
+        </message>
+        <message>
+            <source>the time of every point (GPS time in LAS and LAZ, a column time in text)</source>
+            <translation>每个点的时间（LAS 和 LAZ 中的 GPS 时间，文本中的 time 列）</translation>
+        </message>
+        <message>
+            <source>Check the unit of its times</source>
+            <translation>请检查其时间的单位</translation>
+        </message>
+        <message>
+            <source>less than %1 s</source>
+            <translation>少于 %1 s</translation>
+        </message>
+        <message>
+            <source>the trajectory lasts %1 s</source>
+            <translation>轨迹历时 %1 s</translation>
+        </message>
+        <message>
+            <source>Give both in metres with z up, and set level=none</source>
+            <translation>请以米为单位、z 朝上给出两者，并设置 level=none</translation>
+        </message>
+        <message>
+            <source>a cloud and a path in the same axes</source>
+            <translation>坐标轴相同的点云和路径</translation>
+        </message>
+        <message>
+            <source>the cloud was turned or scaled when it was read (%1): the path has the axes of the file</source>
+            <translation>点云在读取时被旋转或缩放（%1）：而路径采用文件的坐标轴</translation>
+        </message>
+        <message>
+            <source>Set time_offset to one of them</source>
+            <translation>请将 time_offset 设为其中之一</translation>
+        </message>
+        <message>
+            <source>clocks that go together in one way</source>
+            <translation>只有一种对应方式的时钟</translation>
+        </message>
+        <message>
+            <source>the times of the points go %1, those of the trajectory %2: offsets of %3 s (%4) and %5 s (%6) both fit</source>
+            <translation>点的时间为%1，轨迹的时间为%2：时间差 %3 s（%4）和 %5 s（%6）都相符</translation>
+        </message>
+        <message>
+            <source>%1: %2 s were added to the times of the trajectory</source>
+            <translation>%1：轨迹的时间加上了 %2 s</translation>
+        </message>
+        <message>
+            <source>Set time_offset=%1 where the path is that of a part of the cloud</source>
+            <translation>如果路径只属于点云的一部分，请设置 time_offset=%1</translation>
+        </message>
+        <message>
+            <source>the path of the whole cloud</source>
+            <translation>整个点云的路径</translation>
+        </message>
+        <message>
+            <source>the times of the points go %1, those of the trajectory %2: with an offset of %3 s (%4) only %5 % of the points have a pose</source>
+            <translation>点的时间为%1，轨迹的时间为%2：时间差为 %3 s（%4）时只有 %5 % 的点有位姿</translation>
+        </message>
+        <message>
+            <source>Set time_offset; it is %1 where both begin at the same moment</source>
+            <translation>请设置 time_offset；如果两者同时开始，其值为 %1</translation>
+        </message>
+        <message>
+            <source>a trajectory of the same scan, in GPS time, GPS time less 1e9 s, seconds of the GPS week or Unix time</source>
+            <translation>同一扫描的轨迹，采用 GPS 时间、减去 1e9 s 的 GPS 时间、GPS 周内秒或 Unix 时间</translation>
+        </message>
+        <message>
+            <source>the times of the points go %1, those of the trajectory %2: no clocks are known by which they go together</source>
+            <translation>点的时间为%1，轨迹的时间为%2：没有已知的时钟能使两者对应</translation>
+        </message>
+        <message>
+            <source>hardly a point is nearer to it than %1 m</source>
+            <translation>几乎没有点距它在 %1 m 以内</translation>
+        </message>
+        <message>
+            <source>it is %1 m above the lowest points beneath it</source>
+            <translation>它比其下的最低点高 %1 m</translation>
+        </message>
+        <message>
+            <source>the middle of the points is %1 m aside of it</source>
+            <translation>点的中心在其旁 %1 m</translation>
+        </message>
+        <message>
+            <source>the path may be moved against the cloud, so that all rays are wrong: at the times of the points %1. Check that both have the same origin and the same heights; raise max_distance where the sensor was carried so</source>
+            <translation>路径相对点云可能有移动，以致所有射线都是错的：在各点的时刻，%1。请检查两者的原点和高度是否相同；如果传感器确实如此携带，请增大 max_distance</translation>
+        </message>
+        <message>
+            <source>from this path %1 % of the rays pass through other points, and %2 % with the path moved by about %3 m in x and %4 m in y: path and cloud may not have the same origin, or their clocks differ, so that all rays are wrong. Nothing was changed</source>
+            <translation>从此路径出发，%1 % 的射线穿过其他点；将路径在 x 方向移动约 %3 m、在 y 方向移动约 %4 m 后为 %2 %：路径与点云的原点可能不同，或两者的时钟不同，以致所有射线都是错的。未作任何改变</translation>
+        </message>
+        <message>
+            <source>%1 m or less, in the coordinate system of the points</source>
+            <translation>%1 m 或更近，在点的坐标系中</translation>
+        </message>
+        <message>
+            <source>Move the path into the coordinates of the cloud, or raise max_distance</source>
+            <translation>请将路径移到点云的坐标系中，或增大 max_distance</translation>
+        </message>
+        <message>
+            <source>the path does not run through the cloud: all but the nearest hundredth of the points are %1 m or more from the sensor that measured them (median %2 m)</source>
+            <translation>路径不穿过点云：除最近的百分之一外，所有点距测得它们的传感器 %1 m 或更远（中位数 %2 m）</translation>
+        </message>
+        <message>
+            <source>Check axes and time_offset, or take the trajectory away</source>
+            <translation>请检查坐标轴和 time_offset，或去掉轨迹</translation>
+        </message>
+        <message>
+            <source>a path in the coordinate system and clock of the points</source>
+            <translation>与点的坐标系和时钟相同的路径</translation>
+        </message>
+        <message>
+            <source>the points do not follow the path: they are %1 m from the sensor at their time, and %2 m from where it was at other times</source>
+            <translation>点不跟随路径：在其时刻距传感器 %1 m，而距传感器其他时刻的位置 %2 m</translation>
+        </message>
+        <message>
+            <source>the points lie nearer the path (median %1 m, now %2 m) with %3 s more: the clocks may differ, for instance by leap seconds. Nothing was changed; set time_offset=%4 where it is so</source>
+            <translation>加上 %3 s 后点离路径更近（中位数 %1 m，现为 %2 m）：时钟可能不同，例如相差闰秒。未作任何改变；如果属实，请设置 time_offset=%4</translation>
+        </message>
+        <message>
+            <source>%1 % of the points have a pose with time_offset=%2: their times go %3, those of the trajectory %4</source>
+            <translation>time_offset=%2 时 %1 % 的点有位姿：其时间为%3，轨迹的时间为%4</translation>
+        </message>
+        <message>
+            <source>times that overlap</source>
+            <translation>重叠的时间</translation>
+        </message>
+        <message>
+            <source>joining points and path</source>
+            <translation>将点与路径合并</translation>
+        </message>
+        <message>
+            <source>%1 of %2 points have their ray, %3 passes</source>
+            <translation>%2 个点中有 %1 个有射线，%3 次经过</translation>
+        </message>
+        <message>
+            <source>%1 % of the points have no pose at their time and count without a ray: the trajectory is shorter than the cloud, or has gaps of more than %2 s</source>
+            <translation>%1 % 的点在其时刻没有位姿，按无射线计：轨迹比点云短，或有超过 %2 s 的间断</translation>
+        </message>
+        <message>
+            <source>the points had sensor positions: those of the trajectory took their place</source>
+            <translation>点原有传感器位置：已由轨迹的位置取代</translation>
+        </message>
+        <message>
+            <source>the points had passes: those of the path took their place</source>
+            <translation>点原有经过次序：已由路径的取代</translation>
+        </message>
+        <message>
+            <source>from %1 to %2 s</source>
+            <translation> %1 至 %2 s</translation>
+        </message>
+        <message>
+            <source>Export the cloud with times</source>
+            <translation>请连同时间导出点云</translation>
+        </message>
+        <message>
+            <source>no point has a time</source>
+            <translation>没有点有时间</translation>
+        </message>
+        <message>
+            <source>the time of every point</source>
+            <translation>每个点的时间</translation>
+        </message>
+        <message>
+            <source>the cloud has no points</source>
+            <translation>点云没有点</translation>
+        </message>
+        <message>
+            <source>Finding the vertical</source>
+            <translation>确定竖直方向</translation>
+        </message>
+        <message>
+            <source>Finding the targets</source>
+            <translation>查找标靶</translation>
+        </message>
+        <message>
+            <source>Finding the ground at the centre</source>
+            <translation>确定中心处的地面</translation>
+        </message>
+        <message>
+            <source>the cloud has no array intensity: targets could not be looked for</source>
+            <translation>点云没有数组 intensity：无法查找标靶</translation>
+        </message>
+        <message>
+            <source>%1 of %2 points have an intensity above min_intensity (%3): it does not suit this sensor, targets were not looked for</source>
+            <translation>%2 个点中有 %1 个的强度高于 min_intensity（%3）：它不适合此传感器，未查找标靶</translation>
+        </message>
+        <message>
+            <source>there are too few points around the centre target to tell the height of the ground: z is zero at the target</source>
+            <translation>中心标靶周围的点太少，无法得知地面高度：以标靶处的 z 为零</translation>
+        </message>
+        <message>
+            <source>Plot axes from two targets %1 m apart, level by gravity (+- %2 deg).</source>
+            <translation>样地坐标轴由相距 %1 m 的两个标靶确定，按重力水平（+- %2 度）。</translation>
+        </message>
+        <message>
+            <source>Plot axes from two targets %1 m apart, levelled by %2 stems (tilt %3 +- %4 deg).</source>
+            <translation>样地坐标轴由相距 %1 m 的两个标靶确定，按 %2 株单木整平（倾斜 %3 +- %4 度）。</translation>
+        </message>
+        <message>
+            <source>Plot axes from two targets %1 m apart, levelled by the ground (tilt %2 deg).</source>
+            <translation>样地坐标轴由相距 %1 m 的两个标靶确定，按地面整平（倾斜 %2 度）。</translation>
+        </message>
+        <message>
+            <source>Plot axes from two targets %1 m apart, not levelled.</source>
+            <translation>样地坐标轴由相距 %1 m 的两个标靶确定，未整平。</translation>
+        </message>
+        <message>
+            <source>Map axes kept: no targets were found; level by gravity (+- %1 deg).</source>
+            <translation>保持地图坐标轴：没有找到标靶；按重力水平（+- %1 度）。</translation>
+        </message>
+        <message>
+            <source>Map axes kept: no targets were found; levelled by %1 stems (tilt %2 +- %3 deg).</source>
+            <translation>保持地图坐标轴：没有找到标靶；按 %1 株单木整平（倾斜 %2 +- %3 度）。</translation>
+        </message>
+        <message>
+            <source>Map axes kept: no targets were found; levelled by the ground (tilt %1 deg).</source>
+            <translation>保持地图坐标轴：没有找到标靶；按地面整平（倾斜 %1 度）。</translation>
+        </message>
+        <message>
+            <source>Map axes kept: no targets were found; not levelled.</source>
+            <translation>保持地图坐标轴：没有找到标靶；未整平。</translation>
+        </message>
+        <message>
+            <source>Map axes kept: only one target was found; level by gravity (+- %1 deg).</source>
+            <translation>保持地图坐标轴：只找到一个标靶；按重力水平（+- %1 度）。</translation>
+        </message>
+        <message>
+            <source>Map axes kept: only one target was found; levelled by %1 stems (tilt %2 +- %3 deg).</source>
+            <translation>保持地图坐标轴：只找到一个标靶；按 %1 株单木整平（倾斜 %2 +- %3 度）。</translation>
+        </message>
+        <message>
+            <source>Map axes kept: only one target was found; levelled by the ground (tilt %1 deg).</source>
+            <translation>保持地图坐标轴：只找到一个标靶；按地面整平（倾斜 %1 度）。</translation>
+        </message>
+        <message>
+            <source>Map axes kept: only one target was found; not levelled.</source>
+            <translation>保持地图坐标轴：只找到一个标靶；未整平。</translation>
+        </message>
+        <message>
+            <source> and %1</source>
+            <translation> 和 %1</translation>
+        </message>
+        <message>
+            <source>Leave out %1, or give another shape</source>
+            <translation>请去掉 %1，或给出另一种形状</translation>
+        </message>
+        <message>
+            <source>plot option %1 are given and %2</source>
+            <translation>给出了样地选项 %1，且 %2</translation>
+        </message>
+        <message>
+            <source>plot option %1 is given and %2</source>
+            <translation>给出了样地选项 %1，且 %2</translation>
+        </message>
+        <message>
+            <source>plot options %1 are given and %2</source>
+            <translation>给出了样地选项 %1，且 %2</translation>
+        </message>
+        <message>
+            <source>plot options %1 is given and %2</source>
+            <translation>给出了样地选项 %1，且 %2</translation>
+        </message>
+        <message>
+            <source>plot options that go together: shape circle with radius, x and y; shape rectangle with width, length, bearing, x and y; shape polygon with vertices; shape none alone</source>
+            <translation>互相配合的样地选项：shape 为 circle 时用 radius、x 和 y；为 rectangle 时用 width、length、bearing、x 和 y；为 polygon 时用 vertices；为 none 时不用其他选项</translation>
+        </message>
+        <message>
+            <source>belong to different shapes, a circle and a rectangle</source>
+            <translation>它们属于不同的形状，即圆和矩形</translation>
+        </message>
+        <message>
+            <source>the plot has no size</source>
+            <translation>样地没有大小</translation>
+        </message>
+        <message>
+            <source>the plot is a %1</source>
+            <translation>样地为 %1</translation>
+        </message>
+        <message>
+            <source>shape is none</source>
+            <translation>shape 为 none（没有形状）</translation>
+        </message>
+        <message>
+            <source>the plot is a %1 whose vertices are connected</source>
+            <translation>样地为 %1，其顶点已连接</translation>
+        </message>
+        <message>
+            <source>Connect the input 'vertices' to a stage io.read_table</source>
+            <translation>请将输入“vertices”连接到步骤 io.read_table</translation>
+        </message>
+        <message>
+            <source>a table of x_m and y_m</source>
+            <translation>含 x_m 和 y_m 的表</translation>
+        </message>
+        <message>
+            <source>shape is polygon and no vertices are connected</source>
+            <translation>shape 为 polygon，但没有连接顶点</translation>
+        </message>
+        <message>
+            <source>the options x and y</source>
+            <translation>选项 x 和 y</translation>
+        </message>
+        <message>
+            <source>the origin</source>
+            <translation>原点</translation>
+        </message>
+        <message>
+            <source>the centre target</source>
+            <translation>中心标靶</translation>
+        </message>
+        <message>
+            <source>the middle of what was scanned</source>
+            <translation>扫描范围的中心</translation>
+        </message>
+        <message>
+            <source>option x and y of %1</source>
+            <translation>%1 的选项 x 和 y</translation>
+        </message>
+        <message>
+            <source>option y and x of %1</source>
+            <translation>%1 的选项 y 和 x</translation>
+        </message>
+        <message>
+            <source>a radius of %1 m</source>
+            <translation>半径 %1 m</translation>
+        </message>
+        <message>
+            <source>%1 is assumed for the plot (set plot.width or plot.radius where it is another): </source>
+            <translation>样地按%1假定（如果不是，请设置 plot.width 或 plot.radius）：</translation>
+        </message>
+        <message>
+            <source>%1 points, min_target_points is %2</source>
+            <translation>%1 个点，min_target_points 为 %2</translation>
+        </message>
+        <message>
+            <source>%1 m long, target_size is %2 m</source>
+            <translation>长 %1 m，target_size 为 %2 m</translation>
+        </message>
+        <message>
+            <source>seen from positions %1 m apart, target_views is %2 m</source>
+            <translation>观测位置相距 %1 m，target_views 为 %2 m</translation>
+        </message>
+        <message>
+            <source>Swap them, or set years</source>
+            <translation>请交换两者，或设置 years</translation>
+        </message>
+        <message>
+            <source>an earlier and a later survey</source>
+            <translation>一次较早和一次较晚的调查</translation>
+        </message>
+        <message>
+            <source>the second survey is not later than the first (dates of the tables)</source>
+            <translation>第二次调查不晚于第一次（按表中的日期）</translation>
+        </message>
+        <message>
+            <source>Rows planted evenly look alike from both ends: bring both tables into the same axes (survey.georeference, or the same targets) and set axes=same</source>
+            <translation>均匀种植的行从两端看来相同：请使两个表的坐标轴相同（survey.georeference，或相同的标靶），并设置 axes=same</translation>
+        </message>
+        <message>
+            <source>one motion that fits better than all others</source>
+            <translation>一个比其他都更相符的移动</translation>
+        </message>
+        <message>
+            <source>two maps of %1 and %2 trees that %3 of their trees bring together, and another turn or shift does the same for %4</source>
+            <translation>有 %1 株和 %2 株树的两幅地图由其中 %3 株重合，而另一旋转或平移同样使 %4 株重合</translation>
+        </message>
+        <message>
+            <source>Check that both are of the same plot, unmirrored, in metres; set axes=same where both lie in the same axes, and max_growth or match_distance where much has changed</source>
+            <translation>请检查两者是否为同一样地、未成镜像、以米为单位；如果坐标轴相同，请设置 axes=same；如果变化很大，请设置 max_growth 或 match_distance</translation>
+        </message>
+        <message>
+            <source>at least 5 trees, a third of those that both cover, at the same places with like diameters</source>
+            <translation>至少 5 株树，占两者都覆盖的三分之一，位置相同且直径相近</translation>
+        </message>
+        <message>
+            <source>two maps of %1 and %2 trees that %3 of their trees bring together</source>
+            <translation>有 %1 株和 %2 株树的两幅地图由其中 %3 株重合</translation>
+        </message>
+        <message>
+            <source>the years between the surveys are not known: growth is that of the whole time. Set years</source>
+            <translation>两次调查之间的年数未知：生长量是整个时段的。请设置 years</translation>
+        </message>
+        <message>
+            <source>%1 diameters have no interval: assumed_se was taken for them</source>
+            <translation>%1 个直径没有区间：采用 assumed_se</translation>
+        </message>
+        <message>
+            <source>only %1 % of the trees that both surveys cover were found again: felling, or one of the surveys missed trees. Growth is that of the trees found again</source>
+            <translation>两次调查都覆盖的树木只有 %1 % 被再次找到：有采伐，或其中一次调查漏了树。生长量是再次找到的树木的</translation>
+        </message>
+        <message>
+            <source>%1 of %2 trees are thinner in the second survey by more than their intervals: one survey has a bias, the breast heights differ, or trees were confused</source>
+            <translation>%2 株中有 %1 株在第二次调查中变细，且超出其区间：其中一次调查有偏差，胸高不同，或树木弄混</translation>
+        </message>
+        <message>
+            <source>%1 trees were missed by one of the surveys</source>
+            <translation>有 %1 株树被其中一次调查漏掉</translation>
+        </message>
+        <message>
+            <source>%1 stems in the first and %2 in the second table</source>
+            <translation>第一个表有 %1 株单木，第二个表有 %2 株</translation>
+        </message>
+        <message>
+            <source>stems in both</source>
+            <translation>两者都有单木</translation>
+        </message>
+        <message>
+            <source>Bringing the two maps together</source>
+            <translation>使两幅地图重合</translation>
+        </message>
+        <message>
+            <source>%1 trees found again (to %2 cm), %3 grew; mean growth %4 cm</source>
+            <translation>再次找到 %1 株树（精度 %2 cm），%3 株生长；平均生长 %4 cm</translation>
+        </message>
+        <message>
+            <source>%1 trees found again (to %2 cm), %3 grew; mean growth %4 cm in %5 years</source>
+            <translation>再次找到 %1 株树（精度 %2 cm），%3 株生长；%5 年内平均生长 %4 cm</translation>
+        </message>
+        <message>
+            <source>the ground is tilted by %1 deg against the map's z axis, more than max_tilt (%2 deg): the map was not levelled</source>
+            <translation>地面相对地图的 z 轴倾斜 %1 度，超过 max_tilt（%2 度）：地图未整平</translation>
+        </message>
+        <message>
+            <source>levelled by the plane of the ground: the slope of the plot cannot be separated from the tilt of the map and was removed with it</source>
+            <translation>按地面的平面整平：样地的坡度与地图的倾斜无法区分，已一并去除</translation>
+        </message>
+        <message>
+            <source>Set level to stems, or to auto</source>
+            <translation>请将 level 设为 stems 或 auto</translation>
+        </message>
+        <message>
+            <source>a map that was made with an inertial unit (slam.preset best or inertial)</source>
+            <translation>用惯性单元生成的地图（slam.preset 为 best 或 inertial）</translation>
+        </message>
+        <message>
+            <source>level is gravity, and nothing tells the direction of gravity in this map</source>
+            <translation>level 为 gravity，而此地图的重力方向无从得知</translation>
+        </message>
+        <message>
+            <source>%1 stems were found to level by, min_stems is %2: the ground was taken instead</source>
+            <translation>可用于整平的单木只有 %1 株，min_stems 为 %2：改用地面</translation>
+        </message>
+        <message>
+            <source>there was nothing to level by: the map's z axis was kept</source>
+            <translation>没有可用于整平的内容：保持地图的 z 轴</translation>
+        </message>
+        <message>
+            <source>Connect trajectory, or set file</source>
+            <translation>请连接 trajectory，或设置 file</translation>
+        </message>
+        <message>
+            <source>a GNSS track is given, but no trajectory of the walk</source>
+            <translation>给出了 GNSS 轨迹，但没有行走的轨迹</translation>
+        </message>
+        <message>
+            <source>Set file, or easting and northing, or latitude and longitude</source>
+            <translation>请设置 file，或 easting 和 northing，或 latitude 和 longitude</translation>
+        </message>
+        <message>
+            <source>control points or the centre</source>
+            <translation>控制点或中心</translation>
+        </message>
+        <message>
+            <source>crs or bearing is given, but no place of the plot</source>
+            <translation>给出了 crs 或 bearing，但没有样地的位置</translation>
+        </message>
+        <message>
+            <source>no control points, centre coordinates or GNSS track are given: the place of the plot on the earth is not known, and everything stays as it is</source>
+            <translation>没有给出控制点、中心坐标或 GNSS 轨迹：样地在地球上的位置未知，一切保持不变</translation>
+        </message>
+        <message>
+            <source>the GNSS track is not used: the control points go before it</source>
+            <translation>未采用 GNSS 轨迹：控制点优先</translation>
+        </message>
+        <message>
+            <source>Moving the points</source>
+            <translation>移动点</translation>
+        </message>
+        <message>
+            <source>%1 % of the plot (%2, centre (%3, %4)) holds no points: values per hectare are too low there. Move the plot (x, y), make it smaller, or scan the rest</source>
+            <translation>样地的 %1 %（%2，中心 (%3, %4)）没有点：该处每公顷的数值偏低。请移动样地（x, y），缩小样地，或扫描其余部分</translation>
+        </message>
+        <message>
+            <source> about %1 (%2, %3)</source>
+            <translation>，以%1 (%2, %3) 为中心</translation>
+        </message>
+        <message>
+            <source>, trees from %1 cm</source>
+            <translation>，树木自 %1 cm 起</translation>
+        </message>
+        <message>
+            <source>no trajectory is given: the points are as they were</source>
+            <translation>没有给出轨迹：点保持不变</translation>
+        </message>
+    </context>
+    <context>
+        <name>vtkbridge</name>
+        <message>
+            <source>array 'array_%1' has %2 values</source>
+            <translation>数组“array_%1”有 %2 个值</translation>
+        </message>
+        <message>
+            <source>a %1 is connected</source>
+            <translation>连接的是 %1</translation>
+        </message>
+        <message>
+            <source>a missing object is connected</source>
+            <translation>连接的对象缺失</translation>
+        </message>
+        <message>
+            <source>Connect io.read_scan</source>
+            <translation>请连接 io.read_scan</translation>
+        </message>
+        <message>
+            <source>data without the frames of a scan is connected</source>
+            <translation>连接的数据不含扫描的帧</translation>
+        </message>
+        <message>
+            <source>the output of a scan reader</source>
+            <translation>读取扫描的步骤的输出</translation>
+        </message>
+        <message>
+            <source>Connect io.read_views</source>
+            <translation>请连接 io.read_views</translation>
+        </message>
+        <message>
+            <source>data without the pictures of a camera is connected</source>
+            <translation>连接的数据不含相机的图像</translation>
+        </message>
+        <message>
+            <source>the output of a reader of pictures</source>
+            <translation>读取图像的步骤的输出</translation>
+        </message>
+        <message>
+            <source>stage '%1': %2</source>
+            <translation>步骤“%1”：%2</translation>
+        </message>
+        <message>
+            <source>%1. Get a whole file, or go on with what there is (--accept-partial)</source>
+            <translation>%1。请取得完整的文件，或用现有内容继续（--accept-partial）</translation>
+        </message>
+        <message>
+            <source>Skipped: no file is given.</source>
+            <translation>已跳过：没有给出文件。</translation>
+        </message>
+        <message>
+            <source>Left out: nothing is written.</source>
+            <translation>未执行：不写出任何内容。</translation>
+        </message>
+        <message>
+            <source>stage '%1' gave no %2</source>
+            <translation>步骤“%1”没有给出 %2</translation>
+        </message>
+        <message>
+            <source>input '%1' is left out: stage '%2' failed</source>
+            <translation>输入“%1”未使用：步骤“%2”失败</translation>
+        </message>
+        <message>
+            <source>all of its inputs failed</source>
+            <translation>其所有输入都失败了</translation>
+        </message>
+        <message>
+            <source>cancelled on request</source>
+            <translation>应要求取消</translation>
+        </message>
+        <message>
+            <source>reading %1 to see whether its result is known</source>
+            <translation>读取 %1 以查看其结果是否已知</translation>
+        </message>
+        <message>
+            <source>a stage that `bole stages` lists</source>
+            <translation>`bole stages` 列出的步骤</translation>
+        </message>
+        <message>
+            <source>no stage type is set</source>
+            <translation>没有设置步骤类型</translation>
+        </message>
+        <message>
+            <source>this build has no stage '%1'</source>
+            <translation>此版本没有步骤“%1”</translation>
+        </message>
+        <message>
+            <source>nothing is connected</source>
+            <translation>没有连接任何内容</translation>
+        </message>
+        <message>
+            <source>the stage before gave nothing</source>
+            <translation>前一步骤没有给出任何内容</translation>
+        </message>
+    </context>
+</TS>
