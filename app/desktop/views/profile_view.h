@@ -3,8 +3,8 @@
 
 #include <QWidget>
 
+#include "document/beside_cut.h"
 #include "document/selection.h"
-#include "document/stem_cut.h"
 
 namespace bole::desktop {
 
@@ -14,6 +14,8 @@ class ProfileView : public QWidget {
  public:
   ProfileView(Selection& selection, QWidget* parent);
   void show_survey(const Survey& survey);
+  void show_clouds(std::vector<CutCloud> beside);  // those that lie beside the survey
+  const render::StemProfileData& shown() const { return data_; }
   void set_height(double metres);
   void set_breast_height(double metres) { cut_.breast_height_m = metres; }
   QPointF place_of_height(double metres) const;  // on the widget, in the middle of it
@@ -34,6 +36,7 @@ class ProfileView : public QWidget {
 
   Selection& selection_;
   Survey survey_;
+  std::vector<CutCloud> beside_;
   std::optional<StemPlace> stem_;
   CutPlace cut_;
   render::StemProfileData data_;

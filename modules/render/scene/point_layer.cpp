@@ -80,6 +80,12 @@ void PointLayer::set_point_size(double px) {
     if (tile.actor) tile.actor->GetProperty()->SetPointSize(static_cast<float>(px));
 }
 
+void PointLayer::set_opacity(double opacity) {
+  opacity_ = opacity;
+  for (auto& [i, tile] : tiles_)
+    if (tile.actor) tile.actor->GetProperty()->SetOpacity(opacity);
+}
+
 void PointLayer::clear() {
   for (auto& [i, tile] : tiles_)
     if (tile.actor && renderer_) renderer_->RemoveActor(tile.actor);
@@ -137,6 +143,7 @@ PointLayer::Tile PointLayer::make_tile(PointSet all) const {
   tile.actor = vtkSmartPointer<vtkActor>::New();
   tile.actor->SetMapper(mapper);
   tile.actor->GetProperty()->SetPointSize(static_cast<float>(size_px_));
+  tile.actor->GetProperty()->SetOpacity(opacity_);
   tile.actor->GetProperty()->LightingOff();
   tile.actor->PickableOff();
   clip(tile);
