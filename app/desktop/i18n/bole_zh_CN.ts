@@ -3306,6 +3306,14 @@
             <translation>已取消：没有任何改动。</translation>
         </message>
         <message>
+            <source>%1 is shown from the disk: its coarse points are used.</source>
+            <translation>%1 是从磁盘显示的：只使用其粗略点。</translation>
+        </message>
+        <message>
+            <source>the survey</source>
+            <translation>当前测量</translation>
+        </message>
+        <message>
             <source>Fitting %1</source>
             <translation>正在配准 %1</translation>
         </message>
@@ -3741,6 +3749,10 @@
             <translation>请先在“点云”面板中选择一个点对。</translation>
         </message>
         <message>
+            <source>From the list; the cloud stays where it is</source>
+            <translation>仅从列表中移除；点云保持原位</translation>
+        </message>
+        <message>
             <source>Remove all pairs of points</source>
             <translation>移除所有点对</translation>
         </message>
@@ -3791,6 +3803,10 @@
         <message>
             <source>No work on clouds is under way.</source>
             <translation>没有正在进行的点云作业。</translation>
+        </message>
+        <message>
+            <source>Clouds stay as they are</source>
+            <translation>点云保持不变</translation>
         </message>
         <message>
             <source>Save the cloud as it is shown</source>

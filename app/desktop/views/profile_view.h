@@ -3,8 +3,8 @@
 
 #include <QWidget>
 
-#include "document/beside_cut.h"
 #include "document/selection.h"
+#include "views/clouds/beside_cut.h"
 
 namespace bole::desktop {
 

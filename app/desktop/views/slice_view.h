@@ -5,10 +5,10 @@
 #include <QWidget>
 #include <vector>
 
-#include "document/beside_cut.h"
 #include "document/selection.h"
 #include "stems/core/edits/stem_edits.h"
 #include "stems/core/fit/circle_fit.h"
+#include "views/clouds/beside_cut.h"
 
 class QDoubleSpinBox;
 

@@ -85,12 +85,14 @@ void Clouds::make_align_commands() {
   commands.add({.id = "clouds.remove_pair",
                 .text = tr("Remove the pair of points"),
                 .act = [this, current] { pairs_->remove(current(), panel_->align().selected_pair()); },
-                .enabled_when = {with_pair, tr("Select a pair of points in the panel Clouds first.")}});
-  commands.add({.id = "clouds.clear_pairs",
-                .text = tr("Remove all pairs of points"),
-                .act = [this, current] { pairs_->clear(current()); },
-                .enabled_when = {[this, current] { return !pairs_->of(current()).empty(); },
-                                 tr("There is no pair of points.")}});
+                .enabled_when = {with_pair, tr("Select a pair of points in the panel Clouds first.")},
+                .tip = tr("From the list; the cloud stays where it is")});
+  commands.add(
+      {.id = "clouds.clear_pairs",
+       .text = tr("Remove all pairs of points"),
+       .act = [this, current] { pairs_->clear(current()); },
+       .enabled_when = {[this, current] { return !pairs_->of(current()).empty(); }, tr("There is no pair of points.")},
+       .tip = tr("From the list; the cloud stays where it is")});
   commands.add({.id = "clouds.move_by_pairs",
                 .text = tr("Move the cloud by the pairs of points"),
                 .places = {in_context("clouds", 1)},
@@ -125,7 +127,8 @@ void Clouds::make_align_commands() {
                 .text = tr("Cancel the work on clouds"),
                 .places = {in_context("clouds", 1)},
                 .act = [this] { jobs_->cancel(); },
-                .enabled_when = {[this] { return jobs_->busy(); }, tr("No work on clouds is under way.")}});
+                .enabled_when = {[this] { return jobs_->busy(); }, tr("No work on clouds is under way.")},
+                .tip = tr("Clouds stay as they are")});
 }
 
 }  // namespace bole::desktop

@@ -79,8 +79,8 @@ void CloudDifferencePage::follow(const CloudEntry* cloud) {
   cloud_ = cloud == nullptr ? 0 : cloud->id;
   list_partners(*from_, clouds_, cloud_);
   const auto distances = cloud == nullptr ? nullptr : cloud->distances;
-  for (auto* widget : {static_cast<QWidget*>(show_), static_cast<QWidget*>(up_to_)})
-    widget->setEnabled(distances != nullptr);
+  const bool colored = distances && !cloud->read->on_disk();
+  for (auto* widget : {static_cast<QWidget*>(show_), static_cast<QWidget*>(up_to_)}) widget->setEnabled(colored);
   said_->setText(distances ? words_of(*distances)
                            : tr("Measured for the places that the clouds have; moving one of them ends it."));
   if (!distances) return;

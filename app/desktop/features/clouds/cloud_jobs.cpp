@@ -15,7 +15,7 @@ namespace {
 
 QString count_text(std::size_t count) { return QLocale().toString(static_cast<qulonglong>(count)); }
 
-QString millimetres(double metres) { return CloudJobs::tr("%1 mm").arg(1000 * metres, 0, 'f', 1); }
+QString mm_text(double metres) { return CloudJobs::tr("%1 mm").arg(1000 * metres, 0, 'f', 1); }
 
 }  // namespace
 
@@ -59,6 +59,13 @@ CloudJobs::Given CloudJobs::given(int cloud, int other) const {
               other == 0 ? bench_.scene().survey().points : clouds_.placed_points(other)};
   if (!given.points || !given.of_other || cloud == other)
     throw bad_input("a cloud is not there", "two that were read", "Wait until they are read, or run the survey");
+  const auto tell_coarse = [this](const QString& name) {
+    bench_.say(tr("%1 is shown from the disk: its coarse points are used.").arg(name));
+  };
+  for (const int id : {cloud, other})
+    if (const auto* entry = clouds_.find(id); entry != nullptr && entry->read->on_disk()) tell_coarse(entry->name());
+  if (const auto& index = bench_.scene().survey().index; other == 0 && index && index->disk())
+    tell_coarse(tr("the survey"));
   return given;
 }
 
@@ -103,7 +110,7 @@ void CloudJobs::take_fine() {
 QString CloudJobs::words_of(const alignment::FineRegistration& fine) const {
   using alignment::FineEnd;
   const QString numbers = tr("RMS %1, overlap %2 % within %3 m, %4 of %5 points compared")
-                              .arg(millimetres(fine.rms_m))
+                              .arg(mm_text(fine.rms_m))
                               .arg(100 * fine.overlap, 0, 'f', 0)
                               .arg(fine.final_reach_m, 0, 'f', 2)
                               .arg(count_text(fine.pairs), count_text(fine.points));
@@ -111,7 +118,7 @@ QString CloudJobs::words_of(const alignment::FineRegistration& fine) const {
   switch (fine.end) {
     case FineEnd::converged:
       return tr("Fitted: %1. Before: RMS %2, overlap %3 %. Moved by %4 m and %5°.")
-          .arg(numbers, millimetres(fine.start_rms_m))
+          .arg(numbers, mm_text(fine.start_rms_m))
           .arg(100 * fine.start_overlap, 0, 'f', 0)
           .arg((fine.motion.to - fine.motion.from).norm(), 0, 'f', 3)
           .arg(degrees(Eigen::AngleAxisd(fine.motion.turn).angle()), 0, 'f', 3);
@@ -122,7 +129,7 @@ QString CloudJobs::words_of(const alignment::FineRegistration& fine) const {
       return tr("It did not come to rest (%1).").arg(numbers) + " " + stayed;
     case FineEnd::no_better:
       return tr("Nothing fits better than where it is: RMS %1, overlap %2 %.")
-                 .arg(millimetres(fine.start_rms_m))
+                 .arg(mm_text(fine.start_rms_m))
                  .arg(100 * fine.start_overlap, 0, 'f', 0) +
              " " + stayed;
     case FineEnd::open:

@@ -239,6 +239,7 @@ void Clouds::remove(int id) {
 
 void Clouds::insert(std::size_t where, CloudEntry entry) {
   if (!entry.read && entry.problem.isEmpty()) wishes_.push_back({entry.id, entry.path});
+  drop_distances(entry);  // a survey may have come meanwhile
   list_.insert(list_.begin() + static_cast<std::ptrdiff_t>(std::min(where, list_.size())), std::move(entry));
   update();
   read_next();
@@ -302,16 +303,19 @@ void Clouds::take_difference(int id, int from, const alignment::DifferenceOption
   distances->options = options;
   distances->color_before = measured->color_by;
   distances->read_before = measured->read;
-  auto points = *measured->read->points;
-  points.set_column(distance_column, std::move(difference.distance_m));
-  points.set_column(rise_column, std::move(difference.rise_m));
+  // What is drawn of a cloud on disk are other points than the coarse ones that were measured.
+  if (!measured->read->on_disk()) {
+    auto points = *measured->read->points;
+    points.set_column(distance_column, std::move(difference.distance_m));
+    points.set_column(rise_column, std::move(difference.rise_m));
+    auto read = std::make_shared<ReadCloud>(*measured->read);
+    read->points = std::make_shared<const PointCloud>(std::move(points));
+    measured->read = read;
+    measured->color_by = distance_column;
+  }
   difference.distance_m.clear();
   difference.rise_m.clear();
   distances->found = std::move(difference);
-  auto read = std::make_shared<ReadCloud>(*measured->read);
-  read->points = std::make_shared<const PointCloud>(std::move(points));
-  measured->read = read;
-  measured->color_by = distance_column;
   const double p95_m = distances->found.p95_m;
   measured->color_range_m = std::max(0.001, std::isfinite(p95_m) ? p95_m : options.max_m);
   measured->distances = distances;

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "alignment/core/cloud_difference.h"
-#include "document/beside_cut.h"
 #include "features/clouds/cloud_entry.h"
 #include "running/background_work.h"
+#include "views/clouds/beside_cut.h"
 
 namespace bole::desktop {
 

@@ -1,4 +1,4 @@
-#include "document/beside_cut.h"
+#include "views/clouds/beside_cut.h"
 
 #include <algorithm>
 
