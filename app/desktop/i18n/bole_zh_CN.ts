@@ -3109,7 +3109,7 @@
         <name>bole::desktop::CloudAlignPage</name>
         <message>
             <source>the survey</source>
-            <translation>当前测量</translation>
+            <translation>调查数据</translation>
         </message>
         <message>
             <source>With scale</source>
@@ -3311,7 +3311,7 @@
         </message>
         <message>
             <source>the survey</source>
-            <translation>当前测量</translation>
+            <translation>调查数据</translation>
         </message>
         <message>
             <source>Fitting %1</source>
@@ -3437,7 +3437,7 @@
         </message>
         <message>
             <source>Click where this point of %1 belongs: in the survey or another cloud.</source>
-            <translation>点击 %1 的这个点应在的位置：在当前测量或另一点云中。</translation>
+            <translation>点击 %1 的这个点应在的位置：在调查数据或另一点云中。</translation>
         </message>
         <message>
             <source>Click the point of %1 that belongs there.</source>
@@ -3726,7 +3726,7 @@
         </message>
         <message>
             <source>The points of the clouds that are drawn, in their colours, beside those of the survey</source>
-            <translation>把已显示点云的点以各自颜色画在当前测量的点旁</translation>
+            <translation>把已显示点云的点以各自颜色画在调查数据的点旁</translation>
         </message>
         <message>
             <source>Select a cloud that was read, and wait until other work on clouds has ended.</source>
@@ -3738,7 +3738,7 @@
         </message>
         <message>
             <source>Click a point of the cloud and the point of the survey, or of another cloud, that it belongs to; three pairs or more</source>
-            <translation>点击点云中的一个点，以及它在当前测量或另一点云中所对应的点；至少三个点对</translation>
+            <translation>点击点云中的一个点，以及它在调查数据或另一点云中所对应的点；至少三个点对</translation>
         </message>
         <message>
             <source>Remove the pair of points</source>
@@ -3786,7 +3786,7 @@
         </message>
         <message>
             <source>How far each point of the cloud lies from the nearest point of the survey or of another cloud; the points are coloured by it</source>
-            <translation>点云的每个点到当前测量或另一点云最近点的距离；点按距离着色</translation>
+            <translation>点云的每个点到调查数据或另一点云最近点的距离；点按距离着色</translation>
         </message>
         <message>
             <source>Save the cloud as it is shown…</source>
@@ -3818,7 +3818,7 @@
         </message>
         <message>
             <source>the survey</source>
-            <translation>当前测量</translation>
+            <translation>调查数据</translation>
         </message>
         <message>
             <source>height difference (m)</source>

@@ -30,8 +30,10 @@ bool has_bar(const std::optional<PointPaint>& paint) {
 
 // From the right, the first one is number 0.
 FurniturePatch color_bar(const ViewFurniture& f, const PointPaint& paint, int number) {
-  const double height = std::min(45.0, 0.4 * f.height_mm), width = 34;
-  const double right = f.width_mm - margin_mm + 2 - (width + 1) * number;
+  constexpr double widest = 34;
+  const double height = std::min(45.0, 0.4 * f.height_mm),
+               width = number == 0 ? widest : std::min(widest, room_mm(paint.title, 7) + 6);
+  const double right = f.width_mm - margin_mm + 2 - (widest + 1) * number;
   const Box box{right - width, f.height_mm - margin_mm - height - 7.5, right, f.height_mm - margin_mm + 2};
   return patch(fmt::format("bar {} {} {} {} {:.1f} {}", number, paint.array, paint.range.lo, paint.range.hi, height,
                            static_cast<const void*>(paint.map)),

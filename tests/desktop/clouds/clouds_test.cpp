@@ -155,11 +155,12 @@ class CloudsTest : public CloudsWindow {
     const auto color = clouds().find(id)->color;
     const int solid = count_of(picture(), color);
     QVERIFY(solid > 300);
-    window_->findChild<QSlider*>("cloud_opacity")->setValue(30);
-    QCOMPARE(clouds().find(id)->opacity, 0.3);
-    QCOMPARE(scene().clouds().front().opacity, 0.3);
-    const QImage faded = picture();
-    QVERIFY2(count_of(faded, color) < solid / 10, qPrintable(QString::number(count_of(faded, color))));
+    window_->findChild<QSlider*>("cloud_opacity")->setValue(25);
+    QCOMPARE(clouds().find(id)->opacity, 0.25);
+    QCOMPARE(scene().clouds().front().opacity, 0.25);
+    // A quarter of its pixels, however many points lie behind one another; what lies behind is seen in the others.
+    const int faded = count_of(picture(), color);
+    QVERIFY2(faded > 0.15 * solid && faded < 0.35 * solid, qPrintable(QString("%1 of %2").arg(faded).arg(solid)));
     QVERIFY(drawn(id) > 0);
     QCOMPARE(window_->session().undo_stack().count(), steps);  // a look, no edit
     clouds().fade(id, 0);
