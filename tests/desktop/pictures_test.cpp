@@ -155,7 +155,9 @@ class PicturesTest : public QObject {
     clouds->add(file);
     QTRY_COMPARE_WITH_TIMEOUT(clouds->list().size(), std::size_t{1}, 20000);
     const int id = clouds->list().front().id;
-    clouds->place(id, {0.4, 0, 0}, 0);
+    CloudPlacing at;
+    at.shift_m = {0.4, 0, 0};
+    clouds->place(id, at);
     window_->commands().trigger("view.eye_dome");
     const auto box = window_->scene().whole();
     auto* section = window_->findChild<SectionTool*>();

@@ -10,7 +10,7 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MODULES = ROOT / "modules"
 
-DOMAIN = {"io", "sim", "slam", "survey", "ground", "stems", "inventory", "evaluation", "rows", "steering",
+DOMAIN = {"alignment", "io", "sim", "slam", "survey", "ground", "stems", "inventory", "evaluation", "rows", "steering",
           "rgbd", "plant"}
 # What a file of a module may include from other modules, by layer. Domain modules never include one another.
 BELOW = {

@@ -3118,11 +3118,366 @@
         </message>
     </context>
     <context>
-        <name>bole::desktop::CloudPanel</name>
+        <name>bole::desktop::CloudAlignPage</name>
+        <message>
+            <source>the survey</source>
+            <translation>调查数据</translation>
+        </message>
+        <message>
+            <source>With scale</source>
+            <translation>含比例</translation>
+        </message>
+        <message>
+            <source>The pairs give the scale too. Surveys by laser have none to give: leave it off</source>
+            <translation>点对同时给出比例。激光测量本身没有比例误差：一般不勾选</translation>
+        </message>
+        <message>
+            <source>Move by the pairs</source>
+            <translation>按点对移动</translation>
+        </message>
+        <message>
+            <source>Pair</source>
+            <translation>点对</translation>
+        </message>
+        <message>
+            <source>Onto</source>
+            <translation>对齐到</translation>
+        </message>
+        <message>
+            <source>Residual</source>
+            <translation>残差</translation>
+        </message>
+        <message>
+            <source>Pairs without a tick do not count; their residual is shown all the same. The largest is bold.</source>
+            <translation>未勾选的点对不参与计算，但仍显示其残差。最大的残差用粗体。</translation>
+        </message>
+        <message>
+            <source>Pick pairs</source>
+            <translation>选取点对</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>移除</translation>
+        </message>
+        <message>
+            <source>Clear</source>
+            <translation>清空</translation>
+        </message>
+        <message>
+            <source>Fine registration</source>
+            <translation>精配准</translation>
+        </message>
+        <message>
+            <source>What the cloud is fitted to; it stays where it is</source>
+            <translation>点云所配准到的对象；它保持不动</translation>
+        </message>
+        <message>
+            <source>How far apart the same place in both may be at the start</source>
+            <translation>开始时同一位置在两者中最多相距多远</translation>
+        </message>
+        <message>
+            <source> m</source>
+            <translation> 米</translation>
+        </message>
+        <message>
+            <source>Look within</source>
+            <translation>搜索范围</translation>
+        </message>
+        <message>
+            <source>Fit finely</source>
+            <translation>精配准</translation>
+        </message>
+        <message>
+            <source>removed</source>
+            <translation>已移除</translation>
+        </message>
+        <message>
+            <source>%1 m</source>
+            <translation>%1 米</translation>
+        </message>
+        <message>
+            <source>%1 pairs, RMS %2 m</source>
+            <translation>%1 个点对，RMS %2 米</translation>
+        </message>
+        <message>
+            <source>scale %1</source>
+            <translation>比例 %1</translation>
+        </message>
+        <message>
+            <source>The %1 points lie on a line: the turn about it is not known. Pick one beside it.</source>
+            <translation>这 %1 个点在一条直线上：绕该直线的转角无法确定。请在直线旁再选一个点。</translation>
+        </message>
+        <message>
+            <source>%1 of at least 3 pairs</source>
+            <translation>已有 %1 个点对，至少需要 3 个</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::CloudDifferencePage</name>
+        <message>
+            <source>From the surface</source>
+            <translation>到表面</translation>
+        </message>
+        <message>
+            <source>What the distances are measured from</source>
+            <translation>距离从哪里量起</translation>
+        </message>
+        <message>
+            <source>Points with nothing nearer than this are counted apart, and grey</source>
+            <translation>在此范围内没有邻点的点单独计数，显示为灰色</translation>
+        </message>
+        <message>
+            <source> m</source>
+            <translation> 米</translation>
+        </message>
+        <message>
+            <source>From the plane through the points about the nearest one, so that the distance between the points of the other cloud counts less</source>
+            <translation>到最近点周围各点所成平面的距离，使另一点云的点间距影响更小</translation>
+        </message>
+        <message>
+            <source>From</source>
+            <translation>相对于</translation>
+        </message>
+        <message>
+            <source>Look within</source>
+            <translation>搜索范围</translation>
+        </message>
+        <message>
+            <source>Measure distances</source>
+            <translation>测量距离</translation>
+        </message>
+        <message>
+            <source>Save…</source>
+            <translation>保存…</translation>
+        </message>
+        <message>
+            <source>by distance</source>
+            <translation>按距离</translation>
+        </message>
+        <message>
+            <source>by height difference</source>
+            <translation>按高差</translation>
+        </message>
+        <message>
+            <source>A height difference is positive where the cloud is higher</source>
+            <translation>点云较高处高差为正</translation>
+        </message>
+        <message>
+            <source>The last colour stands for this and more</source>
+            <translation>最后一种颜色表示此值及更大的值</translation>
+        </message>
+        <message>
+            <source>Colour</source>
+            <translation>颜色</translation>
+        </message>
+        <message>
+            <source>Colours up to</source>
+            <translation>颜色上限</translation>
+        </message>
+        <message>
+            <source>Measured for the places that the clouds have; moving one of them ends it.</source>
+            <translation>按各点云当前的位置测量；移动其中任何一个后结果失效。</translation>
+        </message>
+        <message>
+            <source>%1 m</source>
+            <translation>%1 米</translation>
+        </message>
+        <message>
+            <source>more than %1 m</source>
+            <translation>超过 %1 米</translation>
+        </message>
+        <message>
+            <source>From the surface of %1, %2 points:</source>
+            <translation>到%1的表面，%2 个点：</translation>
+        </message>
+        <message>
+            <source>From %1, %2 points:</source>
+            <translation>相对于%1，%2 个点：</translation>
+        </message>
+        <message>
+            <source>median %1, 95 % below %2, maximum %3</source>
+            <translation>中位数 %1，95 % 小于 %2，最大 %3</translation>
+        </message>
+        <message>
+            <source>%1 points (%2 %) have nothing within %3 m.</source>
+            <translation>%1 个点（%2 %）在 %3 米内没有邻点。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::CloudJobs</name>
+        <message>
+            <source>%1 mm</source>
+            <translation>%1 毫米</translation>
+        </message>
+        <message>
+            <source>A cloud was moved, removed or read again meanwhile: the result was dropped.</source>
+            <translation>期间有点云被移动、移除或重新读取：结果已舍弃。</translation>
+        </message>
+        <message>
+            <source>Cancelled: nothing was changed.</source>
+            <translation>已取消：没有任何改动。</translation>
+        </message>
+        <message>
+            <source>%1 is shown from the disk: its coarse points are used.</source>
+            <translation>%1 是从磁盘显示的：只使用其粗略点。</translation>
+        </message>
+        <message>
+            <source>the survey</source>
+            <translation>调查数据</translation>
+        </message>
+        <message>
+            <source>Fitting %1</source>
+            <translation>正在配准 %1</translation>
+        </message>
+        <message>
+            <source>fine registration of %1</source>
+            <translation>精配准 %1</translation>
+        </message>
+        <message>
+            <source>RMS %1, overlap %2 % within %3 m, %4 of %5 points compared</source>
+            <translation>RMS %1，重叠 %2 %（%3 米以内），比较了 %5 个点中的 %4 个</translation>
+        </message>
+        <message>
+            <source>The cloud was left where it was.</source>
+            <translation>点云保持原位。</translation>
+        </message>
+        <message>
+            <source>Fitted: %1. Before: RMS %2, overlap %3 %. Moved by %4 m and %5°.</source>
+            <translation>已配准：%1。之前：RMS %2，重叠 %3 %。移动了 %4 米、%5°。</translation>
+        </message>
+        <message>
+            <source>Too few points have a partner near them. Move the cloud nearer by pairs of points, or look farther.</source>
+            <translation>附近有对应点的点太少。请先用点对把点云移近，或加大搜索范围。</translation>
+        </message>
+        <message>
+            <source>It did not come to rest (%1).</source>
+            <translation>未能收敛（%1）。</translation>
+        </message>
+        <message>
+            <source>Nothing fits better than where it is: RMS %1, overlap %2 %.</source>
+            <translation>没有比当前更好的位置：RMS %1，重叠 %2 %。</translation>
+        </message>
+        <message>
+            <source>The points do not hold the cloud: it could slide along (%1, %2, %3).</source>
+            <translation>这些点固定不住点云：它可沿 (%1, %2, %3) 滑动。</translation>
+        </message>
+        <message>
+            <source>The points do not hold the cloud: it could turn about (%1, %2, %3).</source>
+            <translation>这些点固定不住点云：它可绕 (%1, %2, %3) 转动。</translation>
+        </message>
+        <message>
+            <source>Measuring distances of %1</source>
+            <translation>正在测量 %1 的距离</translation>
+        </message>
+        <message>
+            <source>Writing %1</source>
+            <translation>正在写入 %1</translation>
+        </message>
+        <message>
+            <source>The cloud was written to %1</source>
+            <translation>点云已写入 %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::CloudLookPage</name>
         <message>
             <source>Height (z)</source>
             <translation>高程 (z)</translation>
         </message>
+        <message>
+            <source>Distance</source>
+            <translation>距离</translation>
+        </message>
+        <message>
+            <source>Height difference</source>
+            <translation>高差</translation>
+        </message>
+        <message>
+            <source>One colour keeps clouds apart. Numbers that colour the survey too have the same scale.</source>
+            <translation>单一颜色便于区分各点云。与调查数据按同一数值着色时,色标相同。</translation>
+        </message>
+        <message>
+            <source>Another colour for the cloud</source>
+            <translation>为点云另选颜色</translation>
+        </message>
+        <message>
+            <source>Colour</source>
+            <translation>颜色</translation>
+        </message>
+        <message>
+            <source>Size of a point on the screen</source>
+            <translation>点在屏幕上的大小</translation>
+        </message>
+        <message>
+            <source> px</source>
+            <translation> 像素</translation>
+        </message>
+        <message>
+            <source>as the survey</source>
+            <translation>与调查数据相同</translation>
+        </message>
+        <message>
+            <source>Point size</source>
+            <translation>点大小</translation>
+        </message>
+        <message>
+            <source>Opacity</source>
+            <translation>不透明度</translation>
+        </message>
+        <message>
+            <source>How little shines through the points of the cloud in the 3-D view</source>
+            <translation>三维视图中点云各点不透光的程度</translation>
+        </message>
+        <message>
+            <source>%1 %</source>
+            <translation>%1 %</translation>
+        </message>
+        <message>
+            <source>One colour</source>
+            <translation>单一颜色</translation>
+        </message>
+        <message>
+            <source>Colour of the cloud</source>
+            <translation>点云颜色</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::CloudPairs</name>
+        <message>
+            <source>Click a point of %1, or the point that it belongs to.</source>
+            <translation>点击 %1 的一个点，或它所对应的点。</translation>
+        </message>
+        <message>
+            <source>Click where this point of %1 belongs: in the survey or another cloud.</source>
+            <translation>点击 %1 的这个点应在的位置：在调查数据或另一点云中。</translation>
+        </message>
+        <message>
+            <source>Click the point of %1 that belongs there.</source>
+            <translation>点击 %1 中属于该处的点。</translation>
+        </message>
+        <message>
+            <source>There is no point here. Click one that is drawn.</source>
+            <translation>此处没有点。请点击已显示的点。</translation>
+        </message>
+        <message>
+            <source>Both points are of %1: the second one takes the place of the first.</source>
+            <translation>两个点都属于 %1：以第二个点代替第一个点。</translation>
+        </message>
+        <message>
+            <source>Neither point is of %1: the second one takes the place of the first.</source>
+            <translation>两个点都不属于 %1：以第二个点代替第一个点。</translation>
+        </message>
+        <message>
+            <source>move %1 by pairs of points</source>
+            <translation>按点对移动 %1</translation>
+        </message>
+        <message>
+            <source>%1 was moved by %2 pairs of points: RMS %3 m</source>
+            <translation>%1 已按 %2 个点对移动：RMS %3 米</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::CloudPanel</name>
         <message>
             <source>Cancel</source>
             <translation>取消</translation>
@@ -3154,62 +3509,6 @@
         <message>
             <source>Remove</source>
             <translation>移除</translation>
-        </message>
-        <message>
-            <source>Shift x</source>
-            <translation>平移 x</translation>
-        </message>
-        <message>
-            <source>Shift y</source>
-            <translation>平移 y</translation>
-        </message>
-        <message>
-            <source>Shift z</source>
-            <translation>平移 z</translation>
-        </message>
-        <message>
-            <source>By how much the cloud is moved; its file stays as it is</source>
-            <translation>点云移动的距离;文件保持不变</translation>
-        </message>
-        <message>
-            <source> m</source>
-            <translation> 米</translation>
-        </message>
-        <message>
-            <source>Counter-clockwise about the vertical through the middle of the cloud</source>
-            <translation>绕过点云中心的铅垂线逆时针旋转</translation>
-        </message>
-        <message>
-            <source>Turn</source>
-            <translation>旋转</translation>
-        </message>
-        <message>
-            <source>One colour keeps clouds apart. Numbers that colour the survey too have the same scale.</source>
-            <translation>单一颜色便于区分各点云。与调查数据按同一数值着色时,色标相同。</translation>
-        </message>
-        <message>
-            <source>Another colour for the cloud</source>
-            <translation>为点云另选颜色</translation>
-        </message>
-        <message>
-            <source>Colour</source>
-            <translation>颜色</translation>
-        </message>
-        <message>
-            <source>Size of a point on the screen</source>
-            <translation>点在屏幕上的大小</translation>
-        </message>
-        <message>
-            <source> px</source>
-            <translation> 像素</translation>
-        </message>
-        <message>
-            <source>as the survey</source>
-            <translation>与调查数据相同</translation>
-        </message>
-        <message>
-            <source>Point size</source>
-            <translation>点大小</translation>
         </message>
         <message>
             <source>not read</source>
@@ -3244,14 +3543,6 @@
             <translation>文件现在所在的位置;点云的位置和外观保持不变</translation>
         </message>
         <message>
-            <source>One colour</source>
-            <translation>单一颜色</translation>
-        </message>
-        <message>
-            <source>Colour of the cloud</source>
-            <translation>点云颜色</translation>
-        </message>
-        <message>
             <source>Where is %1?</source>
             <translation>%1 在哪里?</translation>
         </message>
@@ -3262,6 +3553,85 @@
         <message>
             <source>All files</source>
             <translation>所有文件</translation>
+        </message>
+        <message>
+            <source>Place</source>
+            <translation>位置</translation>
+        </message>
+        <message>
+            <source>Look</source>
+            <translation>外观</translation>
+        </message>
+        <message>
+            <source>Align</source>
+            <translation>对齐</translation>
+        </message>
+        <message>
+            <source>Distances</source>
+            <translation>距离</translation>
+        </message>
+        <message>
+            <source>Shown at scale %1: lengths in this cloud are not those of its file.</source>
+            <translation>以比例 %1 显示：此点云中的长度与文件中的不同。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::CloudPlacePage</name>
+        <message>
+            <source> m</source>
+            <translation> 米</translation>
+        </message>
+        <message>
+            <source>Shift x</source>
+            <translation>平移 x</translation>
+        </message>
+        <message>
+            <source>Shift y</source>
+            <translation>平移 y</translation>
+        </message>
+        <message>
+            <source>Shift z</source>
+            <translation>平移 z</translation>
+        </message>
+        <message>
+            <source>By how much the cloud is moved; its file stays as it is</source>
+            <translation>点云移动的距离;文件保持不变</translation>
+        </message>
+        <message>
+            <source>Counter-clockwise about the vertical through the middle of the cloud</source>
+            <translation>绕过点云中心的铅垂线逆时针旋转</translation>
+        </message>
+        <message>
+            <source>About the x axis through the middle of the cloud: what is north rises</source>
+            <translation>绕过点云中心的 x 轴：北侧升高</translation>
+        </message>
+        <message>
+            <source>About the y axis through the middle of the cloud: what is east sinks</source>
+            <translation>绕过点云中心的 y 轴：东侧下降</translation>
+        </message>
+        <message>
+            <source>How much larger the cloud is shown than its file has it</source>
+            <translation>点云显示得比文件中大多少倍</translation>
+        </message>
+        <message>
+            <source>Turn</source>
+            <translation>旋转</translation>
+        </message>
+        <message>
+            <source>Tilt x</source>
+            <translation>倾角 x</translation>
+        </message>
+        <message>
+            <source>Tilt y</source>
+            <translation>倾角 y</translation>
+        </message>
+        <message>
+            <source>Scale</source>
+            <translation>比例</translation>
+        </message>
+        <message>
+            <source>Not to scale: what is measured in this cloud is %1 times as large as in its file.</source>
+            <translation>比例不为一：在此点云中量得的长度是文件中的 %1 倍。</translation>
         </message>
     </context>
     <context>
@@ -3361,6 +3731,114 @@
         <message>
             <source>%1 was moved centre onto centre: %2, %3, %4 m</source>
             <translation>已将 %1 中心对中心移动:%2, %3, %4 米</translation>
+        </message>
+        <message>
+            <source>Clouds in slice and profile</source>
+            <translation>在横切面和纵剖面中显示点云</translation>
+        </message>
+        <message>
+            <source>The points of the clouds that are drawn, in their colours, beside those of the survey</source>
+            <translation>把已显示点云的点以各自颜色画在调查数据的点旁</translation>
+        </message>
+        <message>
+            <source>Select a cloud that was read, and wait until other work on clouds has ended.</source>
+            <translation>请选择一个已读取的点云，并等待其他点云作业结束。</translation>
+        </message>
+        <message>
+            <source>Pick pairs of points</source>
+            <translation>选取点对</translation>
+        </message>
+        <message>
+            <source>Click a point of the cloud and the point of the survey, or of another cloud, that it belongs to; three pairs or more</source>
+            <translation>点击点云中的一个点，以及它在调查数据或另一点云中所对应的点；至少三个点对</translation>
+        </message>
+        <message>
+            <source>Remove the pair of points</source>
+            <translation>移除点对</translation>
+        </message>
+        <message>
+            <source>Select a pair of points in the panel Clouds first.</source>
+            <translation>请先在“点云”面板中选择一个点对。</translation>
+        </message>
+        <message>
+            <source>From the list; the cloud stays where it is</source>
+            <translation>仅从列表中移除；点云保持原位</translation>
+        </message>
+        <message>
+            <source>Remove all pairs of points</source>
+            <translation>移除所有点对</translation>
+        </message>
+        <message>
+            <source>There is no pair of points.</source>
+            <translation>没有点对。</translation>
+        </message>
+        <message>
+            <source>Move the cloud by the pairs of points</source>
+            <translation>按点对移动点云</translation>
+        </message>
+        <message>
+            <source>Pick three pairs of points or more that are not on a line.</source>
+            <translation>请选取至少三个不在一条直线上的点对。</translation>
+        </message>
+        <message>
+            <source>Least squares over the ticked pairs; one step that can be undone</source>
+            <translation>对勾选的点对作最小二乘；为一个可撤销的步骤</translation>
+        </message>
+        <message>
+            <source>Fit the cloud finely</source>
+            <translation>精配准点云</translation>
+        </message>
+        <message>
+            <source>From a place that is roughly right: moves and turns the cloud until its points lie on the surfaces of the other one. It stays where it is when they do not come to fit</source>
+            <translation>从大致正确的位置开始：移动并转动点云，直到其点落在另一点云的表面上。配准不成时保持原位</translation>
+        </message>
+        <message>
+            <source>Measure the distances of the cloud</source>
+            <translation>测量点云的距离</translation>
+        </message>
+        <message>
+            <source>How far each point of the cloud lies from the nearest point of the survey or of another cloud; the points are coloured by it</source>
+            <translation>点云的每个点到调查数据或另一点云最近点的距离；点按距离着色</translation>
+        </message>
+        <message>
+            <source>Save the cloud as it is shown…</source>
+            <translation>按显示保存点云…</translation>
+        </message>
+        <message>
+            <source>Where it is placed, with the distances that were measured; its file stays as it is</source>
+            <translation>按其所在位置保存，并带上测得的距离；原文件不变</translation>
+        </message>
+        <message>
+            <source>Cancel the work on clouds</source>
+            <translation>取消点云作业</translation>
+        </message>
+        <message>
+            <source>No work on clouds is under way.</source>
+            <translation>没有正在进行的点云作业。</translation>
+        </message>
+        <message>
+            <source>Clouds stay as they are</source>
+            <translation>点云保持不变</translation>
+        </message>
+        <message>
+            <source>Save the cloud as it is shown</source>
+            <translation>按显示保存点云</translation>
+        </message>
+        <message>
+            <source>Point clouds (*.laz *.las *.ply *.csv *.xyz)</source>
+            <translation>点云 (*.laz *.las *.ply *.csv *.xyz)</translation>
+        </message>
+        <message>
+            <source>the survey</source>
+            <translation>调查数据</translation>
+        </message>
+        <message>
+            <source>height difference (m)</source>
+            <translation>高差 (米)</translation>
+        </message>
+        <message>
+            <source>distance (m)</source>
+            <translation>距离 (米)</translation>
         </message>
     </context>
     <context>

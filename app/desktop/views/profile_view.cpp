@@ -66,9 +66,15 @@ QPointF ProfileView::place_of_plant(double along_m) const {
   return {px.x(), px.y()};
 }
 
+void ProfileView::show_clouds(std::vector<CutCloud> beside) {
+  beside_ = std::move(beside);
+  reload();
+}
+
 void ProfileView::reload() {
   stem_ = selection_.tree() ? stem_place(survey_, *selection_.tree()) : std::nullopt;
   data_ = stem_ ? cut_along(survey_, *stem_, cut_) : render::StemProfileData();
+  if (stem_) data_.beside = dots_along(beside_, *stem_, data_);
   update();
 }
 

@@ -6,7 +6,7 @@
 
 #include "document/rows/row_cut.h"
 #include "document/selection.h"
-#include "document/stem_cut.h"
+#include "views/clouds/beside_cut.h"
 
 namespace bole::desktop {
 
@@ -16,6 +16,8 @@ class ProfileView : public QWidget {
  public:
   ProfileView(Selection& selection, QWidget* parent);
   void show_survey(const Survey& survey);
+  void show_clouds(std::vector<CutCloud> beside);  // those that lie beside the survey
+  const render::StemProfileData& shown() const { return data_; }
   void set_height(double metres);
   void set_breast_height(double metres) { cut_.breast_height_m = metres; }
   QPointF place_of_height(double metres) const;  // on the widget, in the middle of it
@@ -43,6 +45,7 @@ class ProfileView : public QWidget {
 
   Selection& selection_;
   Survey survey_;
+  std::vector<CutCloud> beside_;
   std::optional<StemPlace> stem_;
   CutPlace cut_;
   render::StemProfileData data_;

@@ -109,7 +109,10 @@ void SceneView::place_furniture() {
   f.width_mm = width() * mm_per_px;
   f.height_mm = height() * mm_per_px;
   if (settings_.legend && survey_.points && !survey_.points->empty() && !rendering_) f.paint = layer_.paint();
-  if (settings_.legend && !rendering_) f.clouds = clouds_.keys();
+  if (settings_.legend && !rendering_) {
+    f.clouds = clouds_.keys();
+    f.clouds_paint = clouds_.legend(layer_.paint());
+  }
   auto* camera = renderer_->GetActiveCamera();
   const double half_m = half_height_m(camera);
   if (settings_.scale_bar && has_survey() && half_m > 0) f.mm_per_metre = f.height_mm / 2 / half_m;

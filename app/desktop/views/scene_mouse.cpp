@@ -87,18 +87,18 @@ bool SceneView::behind_a_stem(const Eigen::Vector3d& point, const QPoint& at) {
   return stem && place && place->depth > stem->depth + behind_m;
 }
 
-void SceneView::give_place(const render::PickedPoint& point, bool of_survey) {
+void SceneView::give_place(const render::PickedPoint& point, int beside) {
   taken_cloud_ = point.cloud;
-  taken_from_survey_ = of_survey;
+  taken_beside_ = beside;
   Q_EMIT place_taken(exact_position(*point.cloud, point.index), point.index);
 }
 
 void SceneView::take_place(const QPoint& at) {
   if (const auto there = point_at(at); there && !behind_a_stem(there->point.position(), at)) {
-    give_place(there->point, there->beside == nullptr);
+    give_place(there->point, there->beside == nullptr ? 0 : there->beside->id);
   } else if (const auto ground = render::on_plane(pick_view(), to_pixels(at), whole().lo.z())) {
     taken_cloud_ = nullptr;
-    taken_from_survey_ = true;
+    taken_beside_ = 0;
     Q_EMIT place_taken(*ground, QVariant());
   }
 }

@@ -95,11 +95,12 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void set_place_taker(const QObject* taker, Takes takes = Takes::places);
   const QObject* place_taker() const { return place_taker_; }
   Takes takes() const { return takes_; }
-  // Gives the place of a point to all who listen.
-  void give_place(const render::PickedPoint& point, bool of_survey = true);
+  // Gives the place of a point to all who listen; `beside`: id of the cloud beside the survey that it belongs to.
+  void give_place(const render::PickedPoint& point, int beside = 0);
   // The cloud of the point that was given last: that of the survey, a part of a cloud on disk, or one beside it.
   const std::shared_ptr<const PointCloud>& taken_cloud() const { return taken_cloud_; }
-  bool taken_from_survey() const { return taken_from_survey_; }
+  bool taken_from_survey() const { return taken_beside_ == 0; }
+  int taken_beside() const { return taken_beside_; }  // id of the cloud beside the survey; 0: of the survey
   void drop_outline();
   // Points of the survey that stand out until others do, or another survey is shown. At most 300 000 are drawn.
   void mark_points(const std::vector<std::uint32_t>& points);
@@ -247,7 +248,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::map<std::string, std::vector<SceneDrawing>> drawings_;
   std::optional<render::PickedPoint> picked_;
   std::shared_ptr<const PointCloud> taken_cloud_;
-  bool taken_from_survey_ = true;
+  int taken_beside_ = 0;
   QStringList facts_;
 
   static constexpr int rest_ms = 150;  // without a movement, until all points are drawn

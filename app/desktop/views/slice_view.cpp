@@ -62,6 +62,11 @@ void SliceView::show_survey(const Survey& survey) {
   reload(true);
 }
 
+void SliceView::show_clouds(std::vector<CutCloud> beside) {
+  beside_ = std::move(beside);
+  reload(true);
+}
+
 void SliceView::set_breast_height(double metres) {
   cut_.breast_height_m = metres;
   set_height(metres);
@@ -100,6 +105,7 @@ void SliceView::reload(bool keep_view) {
     data_.reach_m = std::max(0.12, 0.75 * (std::isfinite(stem_->dbh_m) ? stem_->dbh_m : 0.2) + 0.04);
   }
   data_ = cut_across(survey_, *stem_, cut_, middle_, data_.reach_m);
+  data_.beside = dots_across(beside_, *stem_, cut_, middle_, data_.reach_m);
   fit_here();
   write_lines();
   update();

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "document/selection.h"
-#include "document/stem_cut.h"
 #include "stems/core/edits/stem_edits.h"
 #include "stems/core/fit/circle_fit.h"
+#include "views/clouds/beside_cut.h"
 
 class QDoubleSpinBox;
 
@@ -21,6 +21,7 @@ class SliceView : public QWidget {
   SliceView(Selection& selection, QWidget* parent);
 
   void show_survey(const Survey& survey);
+  void show_clouds(std::vector<CutCloud> beside);  // those that lie beside the survey
   void set_breast_height(double metres);
   void set_height(double metres);
   double cut_height() const { return cut_.height_m; }
@@ -61,6 +62,7 @@ class SliceView : public QWidget {
 
   Selection& selection_;
   Survey survey_;
+  std::vector<CutCloud> beside_;
   std::optional<StemPlace> stem_;
   CutPlace cut_;
   Eigen::Vector2d middle_ = Eigen::Vector2d::Zero();

@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 
+#include "base/transform.h"
+
 namespace bole::render {
 namespace {
 
@@ -16,16 +18,16 @@ class PlacedNodes : public PointNodes {
   Eigen::Vector3d origin() const override { return place_.of(nodes_->origin()); }
 
   std::vector<std::uint32_t> choose(const OctreeView& view, std::size_t budget, double min_px) override {
-    const Eigen::Matrix3d R = place_.turn();
     OctreeView own = view;
     Eigen::Matrix4d turn = Eigen::Matrix4d::Identity();
-    turn.topLeftCorner<3, 3>() = R;
+    turn.topLeftCorner<3, 3>() = place_.linear();
     own.world_to_clip = view.world_to_clip * turn;
-    if (place_.turn_rad != 0) {
+    if (!place_.only_shifts()) {
       // The box around the box that is turned back.
+      const Eigen::Matrix3d back = place_.turn().transpose() / place_.scale;
       const Eigen::Vector3d centre = (view.lo + view.hi).cast<double>() / 2,
                             half = (view.hi - view.lo).cast<double>() / 2;
-      const Eigen::Vector3d own_centre = R.transpose() * centre, own_half = R.transpose().cwiseAbs() * half;
+      const Eigen::Vector3d own_centre = back * centre, own_half = back.cwiseAbs() * half;
       own.lo = (own_centre - own_half).cast<float>();
       own.hi = (own_centre + own_half).cast<float>();
     }
@@ -50,20 +52,19 @@ class PlacedNodes : public PointNodes {
 
 }  // namespace
 
-Eigen::Matrix3d CloudPlace::turn() const {
-  return Eigen::AngleAxisd(turn_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-}
+Eigen::Matrix3d CloudPlace::turn() const { return rotation_from_rpy(tilt_x_rad, tilt_y_rad, turn_rad); }
+
+Eigen::Matrix3d CloudPlace::linear() const { return scale * turn(); }
 
 Eigen::Vector3d CloudPlace::of(const Eigen::Vector3d& p) const {
-  if (turn_rad == 0) return p + shift;  // exactly
-  const Eigen::Vector3d about(pivot.x(), pivot.y(), 0);
-  return about + turn() * (p - about) + shift;
+  if (only_shifts()) return p + shift;  // exactly
+  return pivot + linear() * (p - pivot) + shift;
 }
 
-Eigen::Vector2d CloudPlace::back(const Eigen::Vector2d& plan) const {
-  Eigen::Vector2d before = plan - shift.head<2>();
-  if (turn_rad == 0) return before;
-  return pivot + turn().topLeftCorner<2, 2>().transpose() * (before - pivot);
+Eigen::Vector3d CloudPlace::back(const Eigen::Vector3d& world) const {
+  const Eigen::Vector3d before = world - shift;
+  if (only_shifts()) return before;
+  return pivot + turn().transpose() * (before - pivot) / scale;
 }
 
 PointCloud placed_cloud(const PointCloud& cloud, const CloudPlace& place) {
@@ -71,8 +72,8 @@ PointCloud placed_cloud(const PointCloud& cloud, const CloudPlace& place) {
   if (place.moves_nothing()) return out;
   out.origin = place.of(cloud.origin);
   out.scale.setZero();
-  if (place.turn_rad == 0) return out;
-  const Eigen::Matrix3f R = place.turn().cast<float>();
+  if (place.only_shifts()) return out;
+  const Eigen::Matrix3f R = place.linear().cast<float>();
   PointCloud::Positions positions;
   positions.reserve(cloud.size());
   for (const auto& p : cloud.positions()) positions.emplace_back(R * p);

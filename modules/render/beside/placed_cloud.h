@@ -1,4 +1,4 @@
-// A cloud that is shown elsewhere than its coordinates say: moved, and turned about the vertical.
+// A cloud that is shown elsewhere than its coordinates say: moved, turned, tilted and scaled.
 #pragma once
 
 #include <memory>
@@ -8,23 +8,27 @@
 
 namespace bole::render {
 
-// Metres. A point p comes to lie at pivot + R (p - pivot) + shift, where R turns counter-clockwise seen from above.
+// Metres. A point p comes to lie at pivot + scale R (p - pivot) + shift, R = Rz(turn) Ry(tilt_y) Rx(tilt_x), each angle
+// counter-clockwise as its axis points at who looks: a turn is one seen from above.
 struct CloudPlace {
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-  double turn_rad = 0;
-  Eigen::Vector2d pivot = Eigen::Vector2d::Zero();  // in the plan of the cloud's own coordinates
+  double turn_rad = 0, tilt_x_rad = 0, tilt_y_rad = 0;
+  double scale = 1;
+  Eigen::Vector3d pivot = Eigen::Vector3d::Zero();  // in the cloud's own coordinates
 
-  bool moves_nothing() const { return turn_rad == 0 && shift.isZero(0); }
-  bool operator==(const CloudPlace& other) const {
-    return shift == other.shift && turn_rad == other.turn_rad && pivot == other.pivot;
-  }
+  bool only_shifts() const { return turn_rad == 0 && tilt_x_rad == 0 && tilt_y_rad == 0 && scale == 1; }
+  bool is_upright() const { return tilt_x_rad == 0 && tilt_y_rad == 0; }  // what was vertical still is
+  bool moves_nothing() const { return only_shifts() && shift.isZero(0); }
+  bool operator==(const CloudPlace& other) const = default;
 
-  Eigen::Matrix3d turn() const;
+  Eigen::Matrix3d turn() const;    // R
+  Eigen::Matrix3d linear() const;  // scale R
   Eigen::Vector3d of(const Eigen::Vector3d& p) const;
-  Eigen::Vector2d back(const Eigen::Vector2d& plan) const;  // where a place in the plan lies in the cloud's own axes
+  Eigen::Vector3d back(const Eigen::Vector3d& world) const;  // where a place lies in the cloud's own axes
 };
 
-// Where nothing is turned the positions are shared. Moved points have no grid of the file any more (PointCloud::scale).
+// Where nothing is turned or scaled the positions are shared. Moved points have no grid of the file any more
+// (PointCloud::scale).
 PointCloud placed_cloud(const PointCloud& cloud, const CloudPlace& place);
 
 // The same of a source of nodes: each is moved when it is asked for. Null of null.

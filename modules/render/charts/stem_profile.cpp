@@ -44,6 +44,11 @@ Figure stem_profile(const StemProfileData& data, double width_mm, double height_
     draw_grid(canvas, frame, axes);
     {
       const auto clip = canvas.clip(frame.box);
+      for (const auto& cloud : data.beside) {
+        std::vector<Eigen::Vector2d> others;
+        for (const auto& p : cloud.points) others.push_back(frame.map(p.x(), p.y()));
+        if (cloud.key.color) canvas.dots(others, 0.35, cloud.key.color->with_alpha(0.7));
+      }
       std::vector<Eigen::Vector2d> dots;
       for (const auto& p : data.points) dots.push_back(frame.map(p.x(), p.y()));
       canvas.dots(dots, 0.35, ink::primary.with_alpha(0.45));
@@ -58,6 +63,7 @@ Figure stem_profile(const StemProfileData& data, double width_mm, double height_
     label.halo_mm = 0.4;
     canvas.text(frame.map(data.reach_m, data.slice_m) + Eigen::Vector2d(-0.8, -0.8), fixed(data.slice_m, 2) + " m",
                 label.aligned(HAlign::right, VAlign::baseline));
+    draw_cloud_keys(canvas, {frame.box.x1 - 1, frame.box.y0 + 1}, data.beside);
     draw_axes(canvas, frame, axes);
   };
   return figure;

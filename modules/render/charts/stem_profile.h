@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "render/draw/axes.h"
+#include "render/draw/cloud_key.h"
 #include "render/draw/figure.h"
 
 namespace bole::render {
@@ -15,6 +16,7 @@ struct ProfileSection {
 
 struct StemProfileData {
   std::vector<Eigen::Vector2d> points;   // offset from the axis at breast height across the view, height above ground
+  std::vector<CloudDots> beside;         // other clouds, likewise, in their colours
   std::vector<ProfileSection> sections;  // by height
   double breast_height_m = 1.3;
   double dbh_m = std::numeric_limits<double>::quiet_NaN();

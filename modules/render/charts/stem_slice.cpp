@@ -17,6 +17,11 @@ constexpr double near_rim = 0.35;  // of the radius: points further off do not c
 const Color hand = hex(0x0073e6);
 
 void draw_slice_points(Canvas& canvas, const StemSliceData& data, const SliceScale& scale) {
+  for (const auto& cloud : data.beside) {
+    std::vector<Eigen::Vector2d> dots;
+    for (const auto& p : cloud.points) dots.push_back(scale.to_sheet(p));
+    if (cloud.key.color) canvas.dots(dots, cloud.points.size() < 400 ? 0.6 : 0.4, cloud.key.color->with_alpha(0.8));
+  }
   std::map<int, std::vector<Eigen::Vector2d>> by_pass;
   for (std::size_t i = 0; i < data.points.size(); ++i)
     by_pass[i < data.pass.size() ? data.pass[i] : 0].push_back(scale.to_sheet(data.points[i]));
@@ -116,6 +121,7 @@ Figure stem_slice(const StemSliceData& data, double width_mm, double height_mm) 
       if (data.refit) draw_slice_circle(canvas, scale, *data.refit, Stroke{hand, 0.5});
     }
     canvas.rectangle(box, {}, Stroke{hex(0xc9d0d5), 0.2});
+    draw_cloud_keys(canvas, {box.x1 - 1, box.y0 + 1}, data.beside);
     draw_scale_bar(canvas, {box.x0 + 3, box.y1 - 2}, scale.mm_per_metre, 0.3 * box.width(), 0.4);
     for (std::size_t i = 0; i < data.lines.size(); ++i)
       canvas.text({1.5, 1 + line_mm * static_cast<double>(i)}, data.lines[i],

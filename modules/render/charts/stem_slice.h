@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "render/draw/cloud_key.h"
 #include "render/draw/figure.h"
 
 namespace bole::render {
@@ -17,7 +18,8 @@ struct SliceCircle {
 
 struct StemSliceData {
   std::vector<Eigen::Vector2d> points;
-  std::vector<int> pass;  // of the points; empty when not known
+  std::vector<int> pass;          // of the points; empty when not known
+  std::vector<CloudDots> beside;  // other clouds, in their colours; nothing is fitted to them
   std::optional<SliceCircle> stem;
   std::vector<SliceCircle> neighbours;
   std::optional<SliceCircle> drawn, refit;  // by the person; fitted to the points from there

@@ -61,4 +61,10 @@ void draw_cloud_keys(Canvas& canvas, const Eigen::Vector2d& top_right, const std
   }
 }
 
+void draw_cloud_keys(Canvas& canvas, const Eigen::Vector2d& top_right, const std::vector<CloudDots>& clouds) {
+  std::vector<CloudKey> keys;
+  for (const auto& cloud : clouds) keys.push_back(cloud.key);
+  draw_cloud_keys(canvas, top_right, keys);
+}
+
 }  // namespace bole::render

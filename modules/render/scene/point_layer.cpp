@@ -10,10 +10,13 @@
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkShaderProperty.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <string>
 
 #include "render/scene/view_camera.h"
 
@@ -29,6 +32,24 @@ OctreeView view_of(vtkRenderer* renderer, const Eigen::Vector3d& shift) {
   Eigen::Matrix4d translate = Eigen::Matrix4d::Identity();
   translate.topRightCorner<3, 1>() = shift;
   return {view_matrix(renderer->GetActiveCamera(), aspect) * translate, static_cast<double>(std::max(size[1], 1))};
+}
+
+// Of 16 pixels so many are drawn, by a matrix of Bayer. Points that are blended would be opaque again wherever several
+// lie behind one another, which in a cloud is everywhere.
+constexpr const char* see_through = R"(
+  int bole_x = int(gl_FragCoord.x) & 3, bole_y = int(gl_FragCoord.y) & 3, bole_xy = bole_x ^ bole_y;
+  int bole_bayer = ((bole_xy & 1) << 3) | ((bole_y & 1) << 2) | (((bole_xy >> 1) & 1) << 1) | ((bole_y >> 1) & 1);
+  if (bole_bayer >= %) discard;
+)";
+
+void fade(vtkActor& actor, double opacity) {
+  auto* shader = actor.GetShaderProperty();
+  shader->ClearAllFragmentShaderReplacements();
+  if (opacity >= 1) return;
+  const int drawn = std::clamp(static_cast<int>(std::lround(16 * opacity)), 1, 15);
+  std::string code = see_through;
+  code.replace(code.find('%'), 1, std::to_string(drawn));
+  shader->AddFragmentShaderReplacement("//VTK::Color::Impl", true, "//VTK::Color::Impl" + code, false);
 }
 
 }  // namespace
@@ -78,6 +99,12 @@ void PointLayer::set_point_size(double px) {
   size_px_ = px;
   for (auto& [i, tile] : tiles_)
     if (tile.actor) tile.actor->GetProperty()->SetPointSize(static_cast<float>(px));
+}
+
+void PointLayer::set_opacity(double opacity) {
+  opacity_ = opacity;
+  for (auto& [i, tile] : tiles_)
+    if (tile.actor) fade(*tile.actor, opacity);
 }
 
 void PointLayer::clear() {
@@ -137,6 +164,7 @@ PointLayer::Tile PointLayer::make_tile(PointSet all) const {
   tile.actor = vtkSmartPointer<vtkActor>::New();
   tile.actor->SetMapper(mapper);
   tile.actor->GetProperty()->SetPointSize(static_cast<float>(size_px_));
+  fade(*tile.actor, opacity_);
   tile.actor->GetProperty()->LightingOff();
   tile.actor->PickableOff();
   clip(tile);

@@ -45,6 +45,7 @@ class PointLayer {
   void set_filter(const PointFilter& filter);
   void set_clip(const std::optional<ClipBox>& box);
   void set_point_size(double px);
+  void set_opacity(double opacity);  // 0 to 1; 1: nothing shines through
 
   // Chooses what the renderer's camera sees, at most `budget` points, and prepares at most `fresh` points that were not
   // drawn before. False: more was chosen than prepared, call again for the next frame.
@@ -74,7 +75,7 @@ class PointLayer {
   PointFilter filter_;
   std::optional<ClipBox> clip_;
   vtkNew<vtkPlaneCollection> clip_planes_;
-  double size_px_ = 2;
+  double size_px_ = 2, opacity_ = 1;
   std::unordered_map<std::uint32_t, Tile> tiles_;
   vtkSmartPointer<vtkRenderer> renderer_;  // that the tiles were added to
   std::uint64_t frame_ = 0;

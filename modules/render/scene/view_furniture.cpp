@@ -24,11 +24,18 @@ FurniturePatch patch(std::string state, const Box& box, std::function<void(Canva
   return {std::move(state), box, Figure{"view", {}, {}, box.width(), box.height(), false, std::move(draw)}};
 }
 
-FurniturePatch color_bar(const ViewFurniture& f, const PointPaint& paint) {
-  const double height = std::min(45.0, 0.4 * f.height_mm), width = 34;
-  const Box box{f.width_mm - margin_mm - width + 2, f.height_mm - margin_mm - height - 7.5, f.width_mm - margin_mm + 2,
-                f.height_mm - margin_mm + 2};
-  return patch(fmt::format("bar {} {} {} {:.1f} {}", paint.array, paint.range.lo, paint.range.hi, height,
+bool has_bar(const std::optional<PointPaint>& paint) {
+  return paint && paint->kind == PointPaint::Kind::map && paint->map != nullptr;
+}
+
+// From the right, the first one is number 0.
+FurniturePatch color_bar(const ViewFurniture& f, const PointPaint& paint, int number) {
+  constexpr double widest = 34;
+  const double height = std::min(45.0, 0.4 * f.height_mm),
+               width = number == 0 ? widest : std::min(widest, room_mm(paint.title, 7) + 6);
+  const double right = f.width_mm - margin_mm + 2 - (widest + 1) * number;
+  const Box box{right - width, f.height_mm - margin_mm - height - 7.5, right, f.height_mm - margin_mm + 2};
+  return patch(fmt::format("bar {} {} {} {} {:.1f} {}", number, paint.array, paint.range.lo, paint.range.hi, height,
                            static_cast<const void*>(paint.map)),
                box, [paint, height](Canvas& canvas) {
                  canvas.rectangle(canvas.sheet().grown(-0.5), ink::paper.with_alpha(0.8), {}, 1);
@@ -153,10 +160,9 @@ FurniturePatch tree_legend(const ViewFurniture& f) {
 
 std::vector<FurniturePatch> furniture_patches(const ViewFurniture& f) {
   std::vector<FurniturePatch> patches;
-  if (f.paint && f.paint->kind == PointPaint::Kind::map && f.paint->map != nullptr)
-    patches.push_back(color_bar(f, *f.paint));
-  else if (f.paint && !f.paint->title.empty())
-    patches.push_back(color_note(f, *f.paint));
+  if (has_bar(f.paint)) patches.push_back(color_bar(f, *f.paint, 0));
+  if (!has_bar(f.paint) && f.paint && !f.paint->title.empty()) patches.push_back(color_note(f, *f.paint));
+  if (has_bar(f.clouds_paint)) patches.push_back(color_bar(f, *f.clouds_paint, f.paint ? 1 : 0));
   if (f.mm_per_metre > 0 && std::isfinite(f.mm_per_metre)) patches.push_back(scale_bar(f));
   if (f.north) patches.push_back(north_arrow(f));
   if (!f.notes.empty()) patches.push_back(notes(f));

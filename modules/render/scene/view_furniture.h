@@ -15,14 +15,15 @@ namespace bole::render {
 // Millimetres from the upper left corner of the view.
 struct ViewFurniture {
   double width_mm = 0, height_mm = 0;
-  std::optional<PointPaint> paint;  // legend; none without points
-  double mm_per_metre = 0;          // at the middle of the view; 0: no scale bar
-  bool perspective = true;          // said beside the bar: it holds at the middle only
-  double grid_step_m = 0;           // said beside the bar; 0: no grid
-  bool north = true;                // an arrow, where y points north
-  double north_rad = 0;             // where north points on the screen, counter-clockwise from up
-  std::vector<std::string> notes;   // lines in the upper left corner
-  std::vector<CloudKey> clouds;     // beside the survey; below the north arrow
+  std::optional<PointPaint> paint;         // legend; none without points
+  double mm_per_metre = 0;                 // at the middle of the view; 0: no scale bar
+  bool perspective = true;                 // said beside the bar: it holds at the middle only
+  double grid_step_m = 0;                  // said beside the bar; 0: no grid
+  bool north = true;                       // an arrow, where y points north
+  double north_rad = 0;                    // where north points on the screen, counter-clockwise from up
+  std::vector<std::string> notes;          // lines in the upper left corner
+  std::vector<CloudKey> clouds;            // beside the survey; below the north arrow
+  std::optional<PointPaint> clouds_paint;  // legend of one of them; left of that of the survey
 
   struct Label {
     Eigen::Vector2d at_mm;

@@ -27,7 +27,13 @@ class CloudFilesTest : public CloudsWindow {
  private Q_SLOTS:
   void the_list_is_kept_with_the_document() {
     const int id = add("earlier.ply"), hidden = add("beside.ply");
-    clouds().place(id, {0.5, -0.25, 0.125}, 12.5);
+    auto at_first = shifted(0.5, -0.25, 0.125, 12.5);
+    at_first.tilt_x_deg = 1.5;
+    at_first.tilt_y_deg = -2.25;
+    at_first.scale = 1.01;
+    clouds().place(id, at_first);
+    clouds().fade(id, 0.4);
+    const auto pivot = clouds().find(id)->pivot();
     clouds().paint(id, render::hex(0x123456), "intensity", 4);
     clouds().show(hidden, false);
     QFile kept(at("plot.clouds.json"));
@@ -39,8 +45,9 @@ class CloudFilesTest : public CloudsWindow {
     QTRY_VERIFY_WITH_TIMEOUT(clouds().list()[0].read && clouds().list()[1].read, 20000);
     const auto& entry = clouds().list().front();
     QCOMPARE(entry.path, QFileInfo(at("earlier.ply")).absoluteFilePath());
-    QCOMPARE(entry.shift_m, Eigen::Vector3d(0.5, -0.25, 0.125));
-    QCOMPARE(entry.turn_deg, 12.5);
+    QVERIFY(entry.at == at_first);
+    QCOMPARE(entry.pivot(), pivot);
+    QCOMPARE(entry.opacity, 0.4);
     QCOMPARE(entry.color_by, std::string("intensity"));
     QCOMPARE(entry.point_px, 4.0);
     QVERIFY(std::abs(entry.color.r - 0x12 / 255.0) < 1e-3);
@@ -57,19 +64,19 @@ class CloudFilesTest : public CloudsWindow {
   void a_missing_file_is_told_and_nothing_is_lost() {
     io::write_cloud(at("gone.ply").toStdString(), earlier_plot({0.3, 0, 0}));
     const int id = add("gone.ply");
-    clouds().place(id, {3, 0, 0}, 0);
+    clouds().place(id, shifted(3, 0, 0));
     QVERIFY(QFile::rename(at("gone.ply"), at("elsewhere.ply")));
     reopen();
     QTRY_VERIFY_WITH_TIMEOUT(!clouds().list().front().problem.isEmpty(), 20000);
     QVERIFY2(window_->log().text().contains("gone.ply"), qPrintable(window_->log().text()));
     QVERIFY(said().contains("gone.ply"));
-    QCOMPARE(clouds().list().front().shift_m.x(), 3.0);
+    QCOMPARE(clouds().list().front().at.shift_m.x(), 3.0);
     clouds().show(clouds().list().front().id, true);  // the list is written again: it is still there
     reopen();
     QTRY_VERIFY_WITH_TIMEOUT(!clouds().list().empty() && !clouds().list().front().problem.isEmpty(), 20000);
     clouds().read_again(clouds().list().front().id, at("elsewhere.ply"));
     QTRY_VERIFY_WITH_TIMEOUT(clouds().list().front().read != nullptr, 20000);
-    QCOMPARE(clouds().list().front().shift_m.x(), 3.0);
+    QCOMPARE(clouds().list().front().at.shift_m.x(), 3.0);
     QVERIFY(drawn(clouds().list().front().id) > 0 || clouds().is_drawn(clouds().list().front().id));
   }
 
@@ -86,9 +93,16 @@ class CloudFilesTest : public CloudsWindow {
     QCOMPARE(file.readAll(), damaged);
     const QDir here(folder_.path());
     for (const char* bad : {"", "[]", R"({"clouds": [{}]})", R"({"clouds": [{"file": "a", "turn_deg": "b"}]})",
+                            R"({"clouds": [{"file": "a", "scale": 0}]})", R"({"clouds": [{"file": "a", "scale": -1}]})",
+                            R"({"clouds": [{"file": "a", "tilt_x_deg": 400}]})",
                             R"({"clouds": [{"file": "a", "shift_m": [1, 1e300, 0]}]})"})
       QVERIFY_EXCEPTION_THROWN(parse_clouds(bad, here), Error);
     QCOMPARE(parse_clouds(R"({"clouds": [{"file": "a.laz"}]})", here).front().path, here.filePath("a.laz"));
+    // A list of before clouds could be tilted: about the middle of the cloud, once it was read.
+    const auto old = parse_clouds(R"({"clouds": [{"file": "a.laz", "turn_deg": 5, "turn_about_m": [3, 4]}]})", here);
+    QVERIFY(old.front().pivot_m == Eigen::Vector2d(3, 4) && !old.front().pivot_z_m);
+    QCOMPARE(old.front().at.scale, 1.0);
+    QCOMPARE(old.front().opacity, 1.0);
   }
 
   void a_bad_file_is_told() {
@@ -151,9 +165,9 @@ class CloudFilesTest : public CloudsWindow {
     QVERIFY(said().contains("disk"));
     window_->findChild<CloudPanel*>()->select(id);
     window_->commands().trigger("clouds.move_here");
-    auto shift = clouds().find(id)->shift_m;
+    auto shift = clouds().find(id)->at.shift_m;
     shift.z() = -99;  // 1.5 m above the ground
-    clouds().place(id, shift, 90);
+    clouds().place(id, shifted(shift.x(), shift.y(), shift.z(), 90));
     QTRY_VERIFY_WITH_TIMEOUT(scene().refined() && drawn(id) > 100'000, 30000);
     std::vector<render::PointSet> seen;
     std::vector<const SceneCloud*> owners;

@@ -3,15 +3,21 @@
 #include <QFile>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSlider>
+#include <QTabWidget>
 #include <QTest>
 #include <QTreeWidget>
 #include <algorithm>
 #include <cmath>
 
 #include "base/angles.h"
+#include "base/transform.h"
 #include "cloud/core/global_frame.h"
 #include "clouds_window.h"
 #include "features/clouds/cloud_distance.h"
+#include "features/clouds/cloud_file.h"
+#include "features/clouds/cloud_jobs.h"
+#include "features/clouds/cloud_pairs.h"
 #include "features/clouds/cloud_panel.h"
 #include "features/clouds/clouds.h"
 #include "features/measure/measure_tool.h"
@@ -25,8 +31,10 @@
 #include "shell/modes.h"
 #include "small_plot.h"
 #include "test_application.h"
+#include "views/profile_view.h"
 #include "views/scene_view.h"
 #include "views/section_view.h"
+#include "views/slice_view.h"
 
 namespace bole::desktop {
 namespace {
@@ -102,12 +110,63 @@ class CloudsTest : public CloudsWindow {
     QCOMPARE(drawn(id), own->size());
     // The boxes of one cloud go on with one another: one step.
     window_->session().undo_stack().undo();
-    QVERIFY(clouds().find(id)->shift_m.isZero() && clouds().find(id)->turn_deg == 0);
+    QVERIFY(clouds().find(id)->at.shift_m.isZero() && clouds().find(id)->at.turn_deg == 0);
     QVERIFY((scene().clouds().front().points->position(7) - before).norm() < 1e-9);
     QCOMPARE(box("cloud_turn")->value(), 0.0);
     window_->session().undo_stack().redo();
-    QCOMPARE(clouds().find(id)->turn_deg, 90.0);
+    QCOMPARE(clouds().find(id)->at.turn_deg, 90.0);
     QCOMPARE(own->position(7).z() + 0.25, scene().clouds().front().points->position(7).z());
+  }
+
+  void a_cloud_is_tilted_and_scaled_by_numbers() {
+    const int id = add("earlier.ply");
+    const auto own = clouds().find(id)->read->points;
+    const Eigen::Vector3d pivot = clouds().find(id)->pivot();
+    box("cloud_tilt_x")->setValue(10);
+    box("cloud_tilt_y")->setValue(-5);
+    box("cloud_turn")->setValue(30);
+    const auto R = rotation_from_rpy(radians(10.0), radians(-5.0), radians(30.0));
+    const auto& shown = scene().clouds().front();
+    for (std::size_t i = 0; i < own->size(); i += 331)
+      QVERIFY((shown.points->position(i) - (pivot + R * (own->position(i) - pivot))).norm() < 1e-4);
+    QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 20000);
+    QCOMPARE(drawn(id), own->size());
+
+    // A scale is told wherever the cloud is: beside its box, in the words about it, in the key of the view.
+    auto* told = window_->findChild<QLabel*>("cloud_scale_said");
+    QVERIFY(!told->isVisibleTo(told->parentWidget()) && !said().contains("scale"));
+    box("cloud_scale")->setValue(1.25);
+    for (std::size_t i = 0; i < own->size(); i += 331)
+      QVERIFY((scene().clouds().front().points->position(i) - (pivot + 1.25 * R * (own->position(i) - pivot))).norm() <
+              1e-4);
+    QVERIFY(told->isVisibleTo(told->parentWidget()) && told->text().contains("1.25"));
+    QVERIFY2(said().contains("scale 1.25"), qPrintable(said()));
+    QVERIFY(scene().cloud_layers().keys().front().name.find("1.2500") != std::string::npos);
+    box("cloud_scale")->setValue(0);  // no cloud is shown as a point
+    QCOMPARE(clouds().find(id)->at.scale, min_scale);
+    window_->session().undo_stack().undo();
+    QVERIFY(clouds().find(id)->at == CloudPlacing());
+    QVERIFY(!said().contains("scale"));
+  }
+
+  void a_cloud_shines_through() {
+    const int id = add("earlier.ply");
+    const int steps = window_->session().undo_stack().count();
+    const auto color = clouds().find(id)->color;
+    const int solid = count_of(picture(), color);
+    QVERIFY(solid > 300);
+    window_->findChild<QSlider*>("cloud_opacity")->setValue(25);
+    QCOMPARE(clouds().find(id)->opacity, 0.25);
+    QCOMPARE(scene().clouds().front().opacity, 0.25);
+    // A quarter of its pixels, however many points lie behind one another; what lies behind is seen in the others.
+    const int faded = count_of(picture(), color);
+    QVERIFY2(faded > 0.15 * solid && faded < 0.35 * solid, qPrintable(QString("%1 of %2").arg(faded).arg(solid)));
+    QVERIFY(drawn(id) > 0);
+    QCOMPARE(window_->session().undo_stack().count(), steps);  // a look, no edit
+    clouds().fade(id, 0);
+    QCOMPARE(clouds().find(id)->opacity, min_opacity);
+    clouds().fade(id, 1);
+    QVERIFY(count_of(picture(), color) > 0.9 * solid);
   }
 
   void the_clip_box_cuts_it_too() {
@@ -133,7 +192,7 @@ class CloudsTest : public CloudsWindow {
   void heights_are_those_above_the_ground_of_the_survey() {
     measure();
     const int id = add("earlier.ply");
-    clouds().place(id, {0, 0, 0.5}, 0);
+    clouds().place(id, shifted(0, 0, 0.5));
     auto settings = scene().settings();
     settings.filter.height = {1.0, 2.0};
     scene().set_settings(settings);
@@ -159,13 +218,13 @@ class CloudsTest : public CloudsWindow {
     QVERIFY(!clouds().is_drawn(id) && scene().clouds().empty());
     QVERIFY2(window_->log().text().contains("flown.laz lies 5441 km"), qPrintable(window_->log().text()));
     QVERIFY2(said().contains("5441 km"), qPrintable(said()));
-    QVERIFY(clouds().find(id)->shift_m.isZero());
+    QVERIFY(clouds().find(id)->at.shift_m.isZero());
     QVERIFY(!window_->commands().action("clouds.zoom")->isEnabled());
     auto* here = window_->findChild<QPushButton*>("cloud_help");
     QVERIFY(here->isVisibleTo(here->parentWidget()));
     here->click();
-    QVERIFY((clouds().find(id)->shift_m - Eigen::Vector3d(-563000, -5412000, -300)).norm() < 1.5);
-    QCOMPARE(std::fmod(clouds().find(id)->shift_m.x(), 1.0), 0.0);  // whole metres
+    QVERIFY((clouds().find(id)->at.shift_m - Eigen::Vector3d(-563000, -5412000, -300)).norm() < 1.5);
+    QCOMPARE(std::fmod(clouds().find(id)->at.shift_m.x(), 1.0), 0.0);  // whole metres
     QVERIFY(!clouds().is_far(id));
     QVERIFY(!here->isVisibleTo(here->parentWidget()));
     QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 20000);
@@ -178,7 +237,7 @@ class CloudsTest : public CloudsWindow {
     // What lies beside it is told as well, and drawn.
     const int near = add("beside.ply");
     QVERIFY(!clouds().is_far(near));
-    clouds().place(near, {60, 0, 0}, 0);
+    clouds().place(near, shifted(60, 0, 0));
     QVERIFY(clouds().is_far(near) && clouds().is_drawn(near));
     QVERIFY2(said().contains("71 m"), qPrintable(said()));
   }
@@ -206,8 +265,7 @@ class CloudsTest : public CloudsWindow {
     const render::ClipBox survey{{0, 0, 0}, {10, 10, 5}};
     const auto move = move_onto(entry, survey, results);
     QVERIFY(move.by_georeference);
-    entry.shift_m = move.shift_m;
-    entry.turn_deg = move.turn_deg;
+    entry.at = move.to;
     for (std::size_t i = 0; i < cloud.size(); i += 101) {
       const Eigen::Vector3d global = cloud.position(i);
       QVERIFY((entry.place().of(global) - frame.to_local(global)).norm() < 1e-3);
@@ -220,7 +278,7 @@ class CloudsTest : public CloudsWindow {
 
   void a_cloud_is_removed_and_comes_back() {
     const int first = add("earlier.ply"), second = add("beside.ply");
-    clouds().place(first, {1, 0, 0}, 0);
+    clouds().place(first, shifted(1, 0, 0));
     window_->findChild<CloudPanel*>()->select(first);
     window_->commands().trigger("clouds.remove");
     QCOMPARE(clouds().list().size(), std::size_t{1});
@@ -228,7 +286,7 @@ class CloudsTest : public CloudsWindow {
     QVERIFY(QFile::exists(at("earlier.ply")));
     window_->session().undo_stack().undo();
     QCOMPARE(clouds().list().front().id, first);
-    QCOMPARE(clouds().list().front().shift_m.x(), 1.0);
+    QCOMPARE(clouds().list().front().at.shift_m.x(), 1.0);
     QVERIFY(clouds().find(first)->read && clouds().is_drawn(first));
     for (int k = 0; k < 3; ++k) window_->session().undo_stack().undo();
     QVERIFY(clouds().list().empty() && scene().clouds().empty());
@@ -258,7 +316,7 @@ class CloudsTest : public CloudsWindow {
     }
     QVERIFY(std::abs(mean(x_then) - mean(x_now) - 0.3) < 0.01);
     // Moved it is cut where it lies, hidden it is not cut.
-    clouds().place(id, {-0.3, 0, 1}, 0);
+    clouds().place(id, shifted(-0.3, 0, 1));
     QTRY_VERIFY_WITH_TIMEOUT(cut && section_mean_x(*cut, 1, 1.5) - 1.5 < 0.01, 10000);
     double lowest = 1e9;
     for (std::size_t k = 0; k < cut->owners.size(); ++k)
@@ -268,9 +326,48 @@ class CloudsTest : public CloudsWindow {
     QTRY_VERIFY_WITH_TIMEOUT(cut && cut->points_of(1) == 0 && cut->drawn.clouds.empty(), 10000);
   }
 
+  void slice_and_profile_show_it_in_its_colour() {
+    measure();
+    const int id = add("earlier.ply");
+    clouds().place(id, shifted(-0.3, 0, 0));
+    window_->selection().select(scene().survey().stems->integers("tree_id").front());
+    const auto& slice = window_->slice().shown();
+    const auto& profile = window_->profile().shown();
+    QCOMPARE(slice.beside.size(), std::size_t{1});
+    QCOMPARE(slice.beside.front().key.name, std::string("earlier.ply"));
+    QCOMPARE(slice.beside.front().key.color->r, clouds().find(id)->color.r);
+    // Its bark lies 2 cm within that of the survey, of which nothing changes.
+    QVERIFY2(slice.beside.front().points.size() >= 60, qPrintable(QString::number(slice.beside.front().points.size())));
+    for (const auto& p : slice.beside.front().points)
+      QVERIFY2(std::abs((p - slice.stem->centre).norm() - 0.08) < 0.01, qPrintable(QString::number(p.norm())));
+    const auto of_survey = slice.points.size();
+    QCOMPARE(profile.beside.size(), std::size_t{1});
+    double top = 0;
+    for (const auto& p : profile.beside.front().points) {
+      top = std::max(top, p.y());
+      if (p.y() > 0.1) QVERIFY(std::abs(p.x()) < 0.1);
+    }
+    QVERIFY2(std::abs(top - 3.57) < 0.05, qPrintable(QString::number(top)));
+    // At its own height where it is moved up, and gone when it is hidden or nobody wants to see it there.
+    clouds().place(id, shifted(-0.3, 0, 2));
+    QVERIFY(slice.beside.front().points.empty());
+    clouds().place(id, shifted(-0.3, 0, 0));
+    QCOMPARE(slice.points.size(), of_survey);
+    window_->commands().trigger("clouds.in_cuts");
+    QVERIFY(slice.beside.empty() && profile.beside.empty());
+    window_->commands().trigger("clouds.in_cuts");
+    QVERIFY(!slice.beside.empty() && !profile.beside.empty());
+    clouds().show(id, false);
+    QVERIFY(slice.beside.empty() && profile.beside.empty());
+    clouds().show(id, true);
+    clouds().show_in_cuts(false);
+    reopen();
+    QVERIFY(!clouds().in_cuts());
+  }
+
   void a_distance_between_two_clouds_is_measured_by_clicks() {
     const int id = add("earlier.ply");
-    clouds().place(id, {0, 0, 2}, 0);
+    clouds().place(id, shifted(0, 0, 2));
     auto* section = window_->findChild<SectionTool*>();
     section->show({{0, 4.5}, {9, 4.5}, 0.4});
     auto& view = section->view();
@@ -358,7 +455,7 @@ class CloudsTest : public CloudsWindow {
         clouds->add(at("flown.laz"));
         QTRY_VERIFY_WITH_TIMEOUT(clouds->list().size() == 2, 20000);
         const QString name = QString("%1/%2_%3_").arg(to, language, theme == Theme::dark ? "dark" : "light");
-        clouds->place(clouds->list().front().id, {0.6, 0.3, 0.05}, 1);
+        clouds->place(clouds->list().front().id, shifted(0.6, 0.3, 0.05, 1));
         QTRY_VERIFY_WITH_TIMEOUT(window.scene().refined(), 20000);
         QTest::qWait(200);
         window.grab().save(name + "1_clouds.png");
@@ -371,6 +468,7 @@ class CloudsTest : public CloudsWindow {
         QTest::qWait(600);
         window.grab().save(name + "2_section.png");
         window.commands().trigger("view.map");
+        grab_pages(window, *clouds, name);
         window.session().discard_recovery();
         QFile::remove(QFileInfo(window.session().path()).absolutePath() + "/" +
                       QFileInfo(window.session().path()).completeBaseName() + ".clouds.json");
@@ -380,6 +478,55 @@ class CloudsTest : public CloudsWindow {
   }
 
  private:
+  // The pages of the panel at 1280 x 720, with pairs and distances.
+  void grab_pages(MainWindow& window, Clouds& clouds, const QString& name) {
+    window.resize(1280, 720);
+    window.findChild<SectionTool*>()->clear();
+    const int id = clouds.list().front().id;
+    window.findChild<CloudPanel*>()->come_forward();
+    window.findChild<CloudPanel*>()->select(id);
+    window.selection().select(window.scene().survey().stems->integers("tree_id").front());
+    auto* pages = window.findChild<QTabWidget*>("cloud_pages");
+    const auto& own = *clouds.find(id)->read->points;
+    auto at = clouds.find(id)->at;
+    at.tilt_x_deg = 0.25;
+    at.scale = 1.01;
+    clouds.place(id, at);
+    pages->setCurrentIndex(0);
+    QTest::qWait(300);
+    window.grab().save(name + "3_place.png");
+    at.scale = 1;
+    clouds.place(id, at);
+    clouds.fade(id, 0.4);
+    pages->setCurrentIndex(1);
+    QTRY_VERIFY_WITH_TIMEOUT(window.scene().refined(), 20000);
+    QTest::qWait(300);
+    window.grab().save(name + "4_look.png");
+    clouds.fade(id, 1);
+    pages->setCurrentIndex(2);
+    window.commands().trigger("clouds.pick_pairs");
+    for (std::size_t k = 1; k < 5; ++k) {
+      const std::size_t i = k * own.size() / 5;
+      window.scene().give_place({window.scene().clouds().front().points, static_cast<std::uint32_t>(i)}, id);
+      window.scene().give_place({window.scene().survey().points, static_cast<std::uint32_t>(i + k)});
+    }
+    QTest::qWait(300);
+    window.grab().save(name + "5_align.png");
+    clouds.pairs().stop();
+    window.commands().trigger("clouds.fit_finely");
+    QTRY_VERIFY_WITH_TIMEOUT(!clouds.jobs().busy(), 120000);
+    QTest::qWait(300);
+    window.grab().save(name + "6_fitted.png");
+    at.shift_m.z() += 0.2;
+    clouds.place(id, at);
+    pages->setCurrentIndex(3);
+    window.commands().trigger("clouds.measure_distances");
+    QTRY_VERIFY_WITH_TIMEOUT(!clouds.jobs().busy(), 120000);
+    QTRY_VERIFY_WITH_TIMEOUT(window.scene().refined(), 20000);
+    QTest::qWait(300);
+    window.grab().save(name + "7_distances.png");
+  }
+
   static double section_mean_x(const CrossSection& cut, std::uint32_t owner, double near_x) {
     std::vector<double> x;
     for (std::size_t k = 0; k < cut.owners.size(); ++k)
@@ -398,6 +545,7 @@ int bole::desktop::run_clouds_test(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   bole::desktop::TestApplication application(argc, argv);
+  if (argc > 1 && QByteArray(argv[1]) == "--align") return bole::desktop::run_cloud_align_test(argc - 1, argv + 1);
   return bole::desktop::run_clouds_test(argc, argv) + bole::desktop::run_cloud_files_test(argc, argv);
 }
 #include "clouds_test.moc"

@@ -15,11 +15,19 @@ namespace bole::desktop {
 
 int run_clouds_test(int argc, char** argv);
 int run_cloud_files_test(int argc, char** argv);
+int run_cloud_align_test(int argc, char** argv);
 
 inline const Eigen::Vector3d utm(563000, 5412000, 300);
 
 // The plot of write_cloud() as it was before: its stems as far beside themselves as `shift` says, half as dense.
 PointCloud earlier_plot(const Eigen::Vector3d& shift, const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
+
+inline CloudPlacing shifted(double x, double y, double z, double turn_deg = 0) {
+  CloudPlacing at;
+  at.shift_m = {x, y, z};
+  at.turn_deg = turn_deg;
+  return at;
+}
 
 class CloudsWindow : public QObject {
   Q_OBJECT

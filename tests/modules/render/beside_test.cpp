@@ -6,6 +6,8 @@
 
 #include "render/beside/ground_below.h"
 #include "render/beside/placed_cloud.h"
+#include "render/charts/stem_profile.h"
+#include "render/charts/stem_slice.h"
 #include "render/draw/cloud_key.h"
 #include "render/scene/point_octree.h"
 #include "render/scene/view_furniture.h"
@@ -42,20 +44,47 @@ TEST(PlacedCloud, TurnsAboutItsPivotAndBack) {
   CloudPlace place;
   place.shift = {1, 2, 3};
   place.turn_rad = 0.7;
-  place.pivot = {563010, 5412005};
+  place.pivot = {563010, 5412005, 302};
   const auto moved = placed_cloud(cloud, place);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3d p = cloud.position(i), q = moved.position(i);
     ASSERT_LT((place.of(p) - q).norm(), 1e-5);
-    ASSERT_NEAR((q.head<2>() - place.pivot - place.shift.head<2>()).norm(), (p.head<2>() - place.pivot).norm(), 1e-5);
+    ASSERT_NEAR((q - place.pivot - place.shift).head<2>().norm(), (p - place.pivot).head<2>().norm(), 1e-5);
     ASSERT_NEAR(q.z() - p.z(), 3, 1e-6);
-    ASSERT_LT((place.back(q.head<2>()) - p.head<2>()).norm(), 1e-5);
+    ASSERT_LT((place.back(q) - p).norm(), 1e-5);
   }
   // A quarter to the left takes east to north.
   place.shift.setZero();
   place.turn_rad = std::numbers::pi / 2;
   const Eigen::Vector3d east(place.pivot.x() + 4, place.pivot.y(), 0);
   EXPECT_LT((place.of(east) - Eigen::Vector3d(place.pivot.x(), place.pivot.y() + 4, 0)).norm(), 1e-9);
+}
+
+TEST(PlacedCloud, TiltsAndScalesAboutItsPivot) {
+  const auto cloud = strewn(1000, {563000, 5412000, 300});
+  CloudPlace place;
+  place.shift = {1, 2, 3};
+  place.turn_rad = 0.7;
+  place.tilt_x_rad = 0.03;
+  place.tilt_y_rad = -0.05;
+  place.scale = 1.02;
+  place.pivot = {563010, 5412005, 302};
+  EXPECT_FALSE(place.only_shifts() || place.is_upright() || place.moves_nothing());
+  EXPECT_LT((place.of(place.pivot) - place.pivot - place.shift).norm(), 1e-9);
+  const auto moved = placed_cloud(cloud, place);
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const Eigen::Vector3d p = cloud.position(i), q = moved.position(i);
+    ASSERT_LT((place.of(p) - q).norm(), 1e-5);
+    ASSERT_NEAR((q - place.pivot - place.shift).norm(), 1.02 * (p - place.pivot).norm(), 1e-5);
+    ASSERT_LT((place.back(q) - p).norm(), 1e-5);
+  }
+  // Each angle by itself: about x what is north rises, about y what is up goes east.
+  CloudPlace tilted;
+  tilted.tilt_x_rad = std::numbers::pi / 2;
+  EXPECT_LT((tilted.of({0, 1, 0}) - Eigen::Vector3d(0, 0, 1)).norm(), 1e-12);
+  tilted.tilt_x_rad = 0;
+  tilted.tilt_y_rad = std::numbers::pi / 2;
+  EXPECT_LT((tilted.of({0, 0, 1}) - Eigen::Vector3d(1, 0, 0)).norm(), 1e-12);
 }
 
 // What a camera sees of moved nodes is what it sees of a cloud whose points were moved.
@@ -65,7 +94,10 @@ TEST(PlacedNodes, ChooseWhatTheMovedCloudHas) {
   CloudPlace place;
   place.shift = {5, -3, 1};
   place.turn_rad = 0.5;
-  place.pivot = {110, 205};
+  place.tilt_x_rad = 0.2;
+  place.tilt_y_rad = -0.4;
+  place.scale = 1.1;
+  place.pivot = {110, 205, 32};
   const auto nodes = placed_nodes(nodes_in_memory(cloud, octree), place);
   const auto moved = placed_cloud(*cloud, place);
   EXPECT_LT((nodes->origin() - moved.origin).norm(), 1e-12);
@@ -131,6 +163,64 @@ TEST(CloudKeys, StandInTheViewOnlyWhereThereAreClouds) {
   EXPECT_GT(orange, 20);
   EXPECT_LE(patches.back().box.x1, f.width_mm);
   EXPECT_GE(patches.back().box.x0, 0);
+}
+
+// The legend of a cloud stands beside that of the survey, and in its place where that has none.
+TEST(CloudLegend, StandsLeftOfThatOfTheSurvey) {
+  ViewFurniture f;
+  f.width_mm = 200;
+  f.height_mm = 150;
+  f.north = false;
+  PointPaint paint;
+  paint.kind = PointPaint::Kind::map;
+  paint.map = &ColorMap::viridis();
+  paint.range = {0, 0.4};
+  paint.title = "distance (m)";
+  f.clouds_paint = paint;
+  const auto alone = furniture_patches(f);
+  ASSERT_EQ(alone.size(), 1u);
+  f.paint = paint;
+  f.paint->title = "z (m)";
+  const auto both = furniture_patches(f);
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_NEAR(both[0].box.x0, alone[0].box.x0, 1e-9);
+  EXPECT_LE(both[1].box.x1, both[0].box.x0);
+  EXPECT_GE(both[1].box.x0, 0);
+}
+
+int pixels_of(const Figure& figure, const Color& color) {
+  const auto image = figure_image(figure, 150);
+  int count = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const auto c = image.pixel(x, y);
+      count += std::abs(c.r - color.r) + std::abs(c.g - color.g) + std::abs(c.b - color.b) <
+               0.5;  // what shines through is paler
+    }
+  return count;
+}
+
+TEST(CloudDots, StandInSliceAndProfileInTheirColour) {
+  const Color orange = hex(0xd55e00);
+  CloudDots dots{{"last_year.laz", orange}, {}};
+  StemSliceData slice;
+  StemProfileData profile;
+  slice.points = {{0.05, 0.05}};
+  profile.points = {{0.1, 1}};
+  EXPECT_EQ(pixels_of(stem_slice(slice, 80, 80), orange), 0);
+  EXPECT_EQ(pixels_of(stem_profile(profile, 60, 80), orange), 0);
+  for (int i = 0; i < 60; ++i) dots.points.emplace_back(-0.1 - 0.002 * i, -0.1);
+  slice.beside = {dots};
+  const int key_only = [&] {
+    auto empty = slice;
+    empty.beside.front().points.clear();
+    return pixels_of(stem_slice(empty, 80, 80), orange);
+  }();
+  EXPECT_GT(key_only, 10);
+  EXPECT_GT(pixels_of(stem_slice(slice, 80, 80), orange), key_only + 50);
+  for (auto& p : dots.points) p.y() = 4;
+  profile.beside = {dots};
+  EXPECT_GT(pixels_of(stem_profile(profile, 60, 80), orange), 50);
 }
 
 }  // namespace

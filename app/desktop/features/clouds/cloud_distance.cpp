@@ -36,7 +36,7 @@ render::ClipBox placed_extent(const CloudEntry& entry) {
   const auto place = entry.place();
   const auto& box = entry.read->extent;
   const Eigen::Vector3d centre = place.of((box.lo + box.hi) / 2),
-                        half = place.turn().cwiseAbs() * (box.hi - box.lo) / 2;
+                        half = place.linear().cwiseAbs() * (box.hi - box.lo) / 2;
   return {centre - half, centre + half};
 }
 
@@ -52,22 +52,22 @@ QString distance_words(double metres) {
 
 CloudMove move_onto(const CloudEntry& entry, const render::ClipBox& survey, const Results& results) {
   const auto& own = entry.read->extent;
-  const Eigen::Vector2d pivot = entry.pivot_m.value_or(((own.lo + own.hi) / 2).head<2>());
   CloudMove move;
   if (const auto frame = frame_for(*entry.read->points, results)) {
-    const Eigen::Vector3d middle(pivot.x(), pivot.y(), own.lo.z());
-    move.shift_m = frame->to_local(middle) - middle;
-    if (!frame->heights_known) move.shift_m.z() = to_step(survey.lo.z() - own.lo.z(), 0.1);
-    move.turn_deg = -degrees(frame->turn_rad());
+    const Eigen::Vector2d plan = entry.pivot_m.value_or(((own.lo + own.hi) / 2).head<2>());
+    const Eigen::Vector3d middle(plan.x(), plan.y(), own.lo.z());
+    move.to.shift_m = frame->to_local(middle) - middle;
+    if (!frame->heights_known) move.to.shift_m.z() = to_step(survey.lo.z() - own.lo.z(), 0.1);
+    move.to.turn_deg = -degrees(frame->turn_rad());
     move.by_georeference = true;
     return move;
   }
   auto stays = entry;
-  stays.shift_m.setZero();
+  stays.at.shift_m.setZero();
   const auto now = placed_extent(stays);
   const Eigen::Vector3d by = (survey.lo + survey.hi - now.lo - now.hi) / 2;
-  move.shift_m = {to_step(by.x(), 1), to_step(by.y(), 1), to_step(survey.lo.z() - now.lo.z(), 0.1)};
-  move.turn_deg = entry.turn_deg;
+  move.to = entry.at;
+  move.to.shift_m = {to_step(by.x(), 1), to_step(by.y(), 1), to_step(survey.lo.z() - now.lo.z(), 0.1)};
   return move;
 }
 

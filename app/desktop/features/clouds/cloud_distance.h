@@ -17,13 +17,12 @@ double gap_m(const render::ClipBox& a, const render::ClipBox& b);  // between tw
 QString distance_words(double metres);                             // "35 m", "5.3 km"
 
 struct CloudMove {
-  Eigen::Vector3d shift_m = Eigen::Vector3d::Zero();
-  double turn_deg = 0;
+  CloudPlacing to;
   bool by_georeference = false;
 };
 
 // By the place that a stage found for the axes of the survey, where the cloud has the same coordinate system; else
-// centre onto centre in the plan, whole metres, and the lowest points onto the lowest.
+// centre onto centre in the plan, whole metres, and the lowest points onto the lowest; turn, tilt and scale stay then.
 CloudMove move_onto(const CloudEntry& entry, const render::ClipBox& survey, const Results& results);
 
 }  // namespace bole::desktop

@@ -59,9 +59,23 @@ CloudEntry entry_of(const QJsonObject& object, int number, const QDir& folder) {
   entry.color = color.isValid() ? render::hex(color.rgb() & 0xffffffU) : cloud_colors.front();
   entry.color_by = object.value("color_by").toString().toStdString();
   entry.point_px = std::clamp(number_of(object.value("point_size"), number, max_point_px), 0.0, max_point_px);
-  entry.shift_m = numbers_of<3>(object.value("shift_m"), number);
-  entry.turn_deg = number_of(object.value("turn_deg"), number, 360);
-  if (object.contains("turn_about_m")) entry.pivot_m = numbers_of<2>(object.value("turn_about_m"), number);
+  if (object.contains("opacity"))
+    entry.opacity = std::clamp(number_of(object.value("opacity"), number, 1), min_opacity, 1.0);
+  entry.at.shift_m = numbers_of<3>(object.value("shift_m"), number);
+  entry.at.turn_deg = number_of(object.value("turn_deg"), number, 360);
+  entry.at.tilt_x_deg = number_of(object.value("tilt_x_deg"), number, 360);
+  entry.at.tilt_y_deg = number_of(object.value("tilt_y_deg"), number, 360);
+  if (object.contains("scale")) entry.at.scale = number_of(object.value("scale"), number, max_scale);
+  if (!(entry.at.scale >= min_scale))
+    throw wrong_entry(number, "has a scale of " + QString::number(entry.at.scale), "0.001 to 1000");
+  const auto about = object.value("turn_about_m");
+  if (about.toArray().size() == 3) {
+    const auto pivot = numbers_of<3>(about, number);
+    entry.pivot_m = pivot.head<2>();
+    entry.pivot_z_m = pivot.z();
+  } else if (object.contains("turn_about_m")) {
+    entry.pivot_m = numbers_of<2>(about, number);
+  }
   return entry;
 }
 
@@ -70,7 +84,18 @@ CloudEntry entry_of(const QJsonObject& object, int number, const QDir& folder) {
 QString CloudEntry::name() const { return QFileInfo(path).fileName(); }
 
 render::CloudPlace CloudEntry::place() const {
-  return {shift_m, radians(turn_deg), pivot_m.value_or(Eigen::Vector2d::Zero())};
+  return {at.shift_m, radians(at.turn_deg), radians(at.tilt_x_deg), radians(at.tilt_y_deg), at.scale, pivot()};
+}
+
+Eigen::Vector3d CloudEntry::pivot() const {
+  const Eigen::Vector2d plan = pivot_m.value_or(Eigen::Vector2d::Zero());
+  return {plan.x(), plan.y(), pivot_z_m.value_or(0)};
+}
+
+void CloudEntry::know_pivot() {
+  const Eigen::Vector3d middle = ((read->extent.lo + read->extent.hi) / 2).array().round();
+  if (!pivot_m) pivot_m = middle.head<2>();
+  if (!pivot_z_m) pivot_z_m = middle.z();
 }
 
 render::Color free_cloud_color(const std::vector<CloudEntry>& taken) {
@@ -88,11 +113,21 @@ QByteArray clouds_json(const std::vector<CloudEntry>& list, const QDir& folder) 
     QJsonObject object{{"file", path_from(folder, entry.path)},
                        {"visible", entry.visible},
                        {"color", QColor::fromRgbF(entry.color.r, entry.color.g, entry.color.b).name()},
-                       {"shift_m", QJsonArray{entry.shift_m.x(), entry.shift_m.y(), entry.shift_m.z()}},
-                       {"turn_deg", entry.turn_deg}};
-    if (!entry.color_by.empty()) object["color_by"] = QString::fromStdString(entry.color_by);
+                       {"shift_m", QJsonArray{entry.at.shift_m.x(), entry.at.shift_m.y(), entry.at.shift_m.z()}},
+                       {"turn_deg", entry.at.turn_deg}};
+    if (entry.at.tilt_x_deg != 0) object["tilt_x_deg"] = entry.at.tilt_x_deg;
+    if (entry.at.tilt_y_deg != 0) object["tilt_y_deg"] = entry.at.tilt_y_deg;
+    if (entry.at.scale != 1) object["scale"] = entry.at.scale;
+    if (entry.opacity < 1) object["opacity"] = entry.opacity;
+    const bool lasts = !entry.distances || !is_of_distances(entry.color_by);  // distances are measured anew
+    const auto& color_by = lasts ? entry.color_by : entry.distances->color_before;
+    if (!color_by.empty()) object["color_by"] = QString::fromStdString(color_by);
     if (entry.point_px > 0) object["point_size"] = entry.point_px;
-    if (entry.pivot_m) object["turn_about_m"] = QJsonArray{entry.pivot_m->x(), entry.pivot_m->y()};
+    if (entry.pivot_m) {
+      QJsonArray about{entry.pivot_m->x(), entry.pivot_m->y()};
+      if (entry.pivot_z_m) about.append(*entry.pivot_z_m);
+      object["turn_about_m"] = about;
+    }
     clouds.append(object);
   }
   return QJsonDocument(QJsonObject{{"clouds", clouds}}).toJson();

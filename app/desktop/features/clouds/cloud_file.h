@@ -9,6 +9,8 @@
 
 namespace bole::desktop {
 
+inline constexpr double min_opacity = 0.05;  // a cloud that is not seen at all is hidden by its tick
+
 // Files in the folder of the document, below it or beside it are written by their path from there.
 QByteArray clouds_json(const std::vector<CloudEntry>& list, const QDir& folder);
 

@@ -1,25 +1,26 @@
 #include "features/clouds/cloud_panel.h"
 
-#include <QColorDialog>
-#include <QComboBox>
 #include <QDockWidget>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QLocale>
-#include <QPainter>
+#include <QProgressBar>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
-#include <algorithm>
-#include <cmath>
 
 #include "document/file_kinds.h"
+#include "features/clouds/cloud_align_page.h"
+#include "features/clouds/cloud_difference_page.h"
 #include "features/clouds/cloud_distance.h"
+#include "features/clouds/cloud_jobs.h"
+#include "features/clouds/cloud_look_page.h"
+#include "features/clouds/cloud_place_page.h"
+#include "features/clouds/cloud_widgets.h"
 #include "features/clouds/clouds.h"
 #include "look/last_folder.h"
 #include "look/scrolled_page.h"
@@ -28,44 +29,7 @@
 namespace bole::desktop {
 namespace {
 
-constexpr int cloud_id_role = Qt::UserRole, swatch_px = 14;
-constexpr double max_shift_m = 1e8, max_size_px = 12;
-const QString one_color;  // in place of an array
-
-QColor qt_color(const render::Color& color) { return QColor::fromRgbF(color.r, color.g, color.b); }
-
-QIcon swatch(const QColor& color) {
-  QPixmap pixmap(swatch_px, swatch_px);
-  pixmap.fill(color);
-  QPainter painter(&pixmap);
-  painter.setPen(color.darker(140));
-  painter.drawRect(0, 0, swatch_px - 1, swatch_px - 1);
-  QIcon icon(pixmap);
-  icon.addPixmap(pixmap, QIcon::Selected);  // not tinted
-  return icon;
-}
-
-QDoubleSpinBox* cloud_number(const char* id, const QString& tip, double max, double step, int decimals,
-                             const QString& unit) {
-  auto* box = new QDoubleSpinBox;
-  box->setObjectName(id);
-  box->setToolTip(tip);
-  box->setRange(-max, max);
-  box->setSingleStep(step);
-  box->setDecimals(decimals);
-  box->setSuffix(unit);
-  box->setKeyboardTracking(false);
-  box->setMinimumWidth(box->fontMetrics().horizontalAdvance("-500000.000 m"));
-  box->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  return box;
-}
-
-// A tool button takes the short text of its action.
-void put_action(QToolButton& button, QAction& action, const QString& short_text) {
-  action.setIconText(short_text);
-  button.setDefaultAction(&action);
-  button.setFocusPolicy(Qt::StrongFocus);
-}
+constexpr int cloud_id_role = Qt::UserRole;
 
 void show_row(QTreeWidgetItem& item, const CloudEntry& cloud) {
   item.setText(0, cloud.name());
@@ -80,17 +44,6 @@ void show_row(QTreeWidgetItem& item, const CloudEntry& cloud) {
   item.setTextAlignment(1, Qt::AlignRight | Qt::AlignVCenter);
 }
 
-const auto number_changed = QOverload<double>::of(&QDoubleSpinBox::valueChanged);
-
-// What a box shows of a value is rounded: the digits that it lacks are kept.
-double typed(const QDoubleSpinBox& box, double before) {
-  return std::abs(box.value() - before) < 0.6 * std::pow(10, -box.decimals()) ? before : box.value();
-}
-
-QString color_title(const std::string& array) {
-  return array == "z" ? CloudPanel::tr("Height (z)") : QString::fromStdString(array).replace('_', ' ');
-}
-
 }  // namespace
 
 CloudPanel::CloudPanel(Clouds& clouds, Workbench& bench)
@@ -102,17 +55,25 @@ CloudPanel::CloudPanel(Clouds& clouds, Workbench& bench)
       reading_(new QLabel),
       help_(new QPushButton),
       cancel_(new QToolButton),
-      form_(new QWidget) {
+      pages_(new QTabWidget),
+      place_(new CloudPlacePage(clouds)),
+      look_(new CloudLookPage(clouds)),
+      align_(new CloudAlignPage(clouds, clouds.pairs(), clouds.jobs(), bench)),
+      difference_(new CloudDifferencePage(clouds, bench)),
+      doing_(new QProgressBar),
+      cancel_work_(new QToolButton) {
   make_list();
   said_->setObjectName("cloud_said");
   said_->setWordWrap(true);
   said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   help_->setObjectName("cloud_help");
   connect(help_, &QPushButton::clicked, this, &CloudPanel::help);
-  auto* form = new QFormLayout(form_);
-  form->setContentsMargins(0, 0, 0, 0);
-  make_place_rows(form);
-  make_look_rows(form);
+  pages_->setObjectName("cloud_pages");
+  pages_->setDocumentMode(true);
+  pages_->addTab(place_, tr("Place"));
+  pages_->addTab(look_, tr("Look"));
+  pages_->addTab(align_, tr("Align"));
+  pages_->addTab(difference_, tr("Distances"));
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(6, 4, 6, 4);
@@ -123,16 +84,24 @@ CloudPanel::CloudPanel(Clouds& clouds, Workbench& bench)
   reading_row->addWidget(reading_, 1);
   reading_row->addWidget(cancel_);
   column->addLayout(reading_row);
+  put_action(*cancel_work_, *bench_.commands().action("clouds.cancel_work"), tr("Cancel"));
+  doing_->setObjectName("cloud_work");
+  auto* work_row = new QHBoxLayout;
+  work_row->addWidget(doing_, 1);
+  work_row->addWidget(cancel_work_);
+  column->addLayout(work_row);
   column->addWidget(said_);
   column->addWidget(help_, 0, Qt::AlignLeft);
-  column->addWidget(form_);
+  column->addWidget(pages_);
   fill_with_scrolled(*this, page);
   bench_.docks().add("clouds", tr("Clouds"), this, Qt::LeftDockWidgetArea, "options")->hide();  // until there is one
   bench_.commands().give_context_menu(*list_, "clouds");
   connect(&clouds_, &Clouds::changed, this, &CloudPanel::follow_list);
   connect(&clouds_, &Clouds::progress, this, &CloudPanel::follow_reading);
+  connect(&clouds_.jobs(), &CloudJobs::changed, this, &CloudPanel::follow_work);
   follow_list();
   follow_reading();
+  follow_work();
 }
 
 void CloudPanel::make_list() {
@@ -170,45 +139,6 @@ QWidget* CloudPanel::make_buttons() {
   }
   layout->addStretch();
   return row;
-}
-
-void CloudPanel::make_place_rows(QFormLayout* form) {
-  const QString titles[] = {tr("Shift x"), tr("Shift y"), tr("Shift z")};
-  for (std::size_t k = 0; k < 3; ++k) {
-    shift_[k] =
-        cloud_number(k == 0   ? "cloud_x"
-                     : k == 1 ? "cloud_y"
-                              : "cloud_z",
-                     tr("By how much the cloud is moved; its file stays as it is"), max_shift_m, 0.1, 3, tr(" m"));
-    connect(shift_[k], number_changed, this, &CloudPanel::take_place);
-    form->addRow(titles[k], shift_[k]);
-  }
-  turn_ = cloud_number("cloud_turn", tr("Counter-clockwise about the vertical through the middle of the cloud"), 360,
-                       0.5, 2, QStringLiteral("°"));
-  connect(turn_, number_changed, this, &CloudPanel::take_place);
-  form->addRow(tr("Turn"), turn_);
-}
-
-void CloudPanel::make_look_rows(QFormLayout* form) {
-  color_by_ = new QComboBox;
-  color_by_->setObjectName("cloud_color_by");
-  color_by_->setToolTip(tr("One colour keeps clouds apart. Numbers that colour the survey too have the same scale."));
-  color_by_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  connect(color_by_, QOverload<int>::of(&QComboBox::activated), this, &CloudPanel::take_look);
-  color_ = new QToolButton;
-  color_->setObjectName("cloud_color");
-  color_->setToolTip(tr("Another colour for the cloud"));
-  color_->setFocusPolicy(Qt::StrongFocus);
-  connect(color_, &QToolButton::clicked, this, &CloudPanel::choose_color);
-  auto* colors = new QHBoxLayout;
-  colors->addWidget(color_by_, 1);
-  colors->addWidget(color_);
-  form->addRow(tr("Colour"), colors);
-  size_ = cloud_number("cloud_size", tr("Size of a point on the screen"), max_size_px, 1, 0, tr(" px"));
-  size_->setRange(0, max_size_px);
-  size_->setSpecialValueText(tr("as the survey"));
-  connect(size_, number_changed, this, &CloudPanel::take_look);
-  form->addRow(tr("Point size"), size_);
 }
 
 int CloudPanel::current() const {
@@ -252,6 +182,8 @@ QString CloudPanel::words_of(const CloudEntry& cloud) const {
                                        : tr("This cloud lies %1 from the survey."))
                  .arg(distance_words(metres));
   }
+  if (cloud.at.scale != 1)
+    lines << tr("Shown at scale %1: lengths in this cloud are not those of its file.").arg(cloud.at.scale, 0, 'g', 6);
   if (cloud.read) {
     if (cloud.read->on_disk()) lines << tr("Shown from the disk: what is near comes in full.");
     lines << cloud.read->remarks;
@@ -261,7 +193,10 @@ QString CloudPanel::words_of(const CloudEntry& cloud) const {
 
 void CloudPanel::follow_current() {
   const auto* cloud = clouds_.find(current());
-  form_->setEnabled(cloud != nullptr);
+  place_->follow(cloud);
+  look_->follow(cloud);
+  align_->follow(cloud);
+  difference_->follow(cloud);
   const QString words = cloud == nullptr
                             ? tr("Clouds to look at beside the survey. They are drawn, measured by clicks and cut, and "
                                  "never enter a computation.")
@@ -274,24 +209,6 @@ void CloudPanel::follow_current() {
   help_->setToolTip(unread ? tr("The file where it lies now; place and look of the cloud stay")
                            : bench_.commands().action("clouds.move_here")->toolTip());
   help_->setVisible(unread || far);
-  if (cloud == nullptr) return;
-  following_ = true;
-  for (int k = 0; k < 3; ++k) shift_[static_cast<std::size_t>(k)]->setValue(cloud->shift_m[k]);
-  turn_->setValue(cloud->turn_deg);
-  size_->setValue(cloud->point_px);
-  show_colors(*cloud);
-  following_ = false;
-}
-
-void CloudPanel::show_colors(const CloudEntry& cloud) {
-  color_by_->clear();
-  color_by_->addItem(tr("One colour"), one_color);
-  if (cloud.read)
-    for (const auto& array : render::paintable_arrays(*cloud.read->points))
-      color_by_->addItem(color_title(array), QString::fromStdString(array));
-  color_by_->setCurrentIndex(std::max(0, color_by_->findData(QString::fromStdString(cloud.color_by))));
-  color_->setIcon(swatch(qt_color(cloud.color)));
-  color_->setEnabled(cloud.color_by.empty());
 }
 
 void CloudPanel::follow_reading() {
@@ -301,29 +218,14 @@ void CloudPanel::follow_reading() {
   bench_.commands().update();
 }
 
-void CloudPanel::take_place() {
-  if (following_) return;
-  const auto* cloud = clouds_.find(current());
-  if (cloud == nullptr) return;
-  Eigen::Vector3d shift_m;
-  for (int k = 0; k < 3; ++k) shift_m[k] = typed(*shift_[static_cast<std::size_t>(k)], cloud->shift_m[k]);
-  clouds_.place(cloud->id, shift_m, typed(*turn_, cloud->turn_deg));
-}
-
-void CloudPanel::take_look() {
-  const auto* cloud = clouds_.find(current());
-  if (following_ || cloud == nullptr) return;
-  clouds_.paint(cloud->id, cloud->color, color_by_->currentData().toString().toStdString(), size_->value());
-}
-
-void CloudPanel::choose_color() {
-  const auto* cloud = clouds_.find(current());
-  if (cloud == nullptr) return;
-  const int id = cloud->id;
-  const QColor chosen = QColorDialog::getColor(qt_color(cloud->color), this, tr("Colour of the cloud"));
-  cloud = clouds_.find(id);  // a document may have been opened meanwhile
-  if (!chosen.isValid() || cloud == nullptr) return;
-  clouds_.paint(id, render::hex(chosen.rgb() & 0xffffffU), cloud->color_by, cloud->point_px);
+void CloudPanel::follow_work() {
+  const auto& jobs = clouds_.jobs();
+  doing_->setVisible(jobs.busy());
+  cancel_work_->setVisible(jobs.busy());
+  doing_->setToolTip(jobs.doing());
+  doing_->setFormat(jobs.doing() + " %p %");
+  doing_->setValue(static_cast<int>(100 * jobs.fraction()));
+  if (!jobs.busy()) follow_current();
 }
 
 void CloudPanel::help() {

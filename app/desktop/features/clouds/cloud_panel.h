@@ -1,19 +1,21 @@
-// The list of clouds to look at, and the place and look of the one that is selected.
+// The list of clouds to look at, and pages about the one that is selected.
 #pragma once
 
 #include <QWidget>
-#include <array>
 
-class QComboBox;
-class QDoubleSpinBox;
-class QFormLayout;
 class QLabel;
+class QProgressBar;
 class QPushButton;
+class QTabWidget;
 class QToolButton;
 class QTreeWidget;
 
 namespace bole::desktop {
 
+class CloudAlignPage;
+class CloudDifferencePage;
+class CloudLookPage;
+class CloudPlacePage;
 class Clouds;
 struct CloudEntry;
 class Workbench;
@@ -27,21 +29,18 @@ class CloudPanel : public QWidget {
   int current() const;  // id of the cloud that is selected; 0: none
   void select(int id);
   void come_forward();
+  CloudAlignPage& align() { return *align_; }
+  CloudDifferencePage& difference() { return *difference_; }
   QString said() const;  // of the cloud that is selected
 
  private:
   void make_list();
-  void make_place_rows(QFormLayout* form);
-  void make_look_rows(QFormLayout* form);
   QWidget* make_buttons();
   void follow_list();
   void follow_current();
   void follow_reading();
-  void show_colors(const CloudEntry& cloud);
+  void follow_work();
   QString words_of(const CloudEntry& cloud) const;
-  void take_place();
-  void take_look();
-  void choose_color();
   void help();  // what the button beside the words offers
 
   Clouds& clouds_;
@@ -50,11 +49,13 @@ class CloudPanel : public QWidget {
   QLabel *said_, *reading_;
   QPushButton* help_;
   QToolButton* cancel_;
-  QWidget* form_;
-  std::array<QDoubleSpinBox*, 3> shift_{};
-  QDoubleSpinBox *turn_ = nullptr, *size_ = nullptr;
-  QComboBox* color_by_ = nullptr;
-  QToolButton* color_ = nullptr;
+  QTabWidget* pages_;
+  CloudPlacePage* place_;
+  CloudLookPage* look_;
+  CloudAlignPage* align_;
+  CloudDifferencePage* difference_;
+  QProgressBar* doing_;
+  QToolButton* cancel_work_;
   bool following_ = false;
 };
 

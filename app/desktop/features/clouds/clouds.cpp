@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QSettings>
 #include <algorithm>
 #include <cmath>
 
@@ -12,16 +13,32 @@
 #include "document/file_kinds.h"
 #include "features/clouds/cloud_distance.h"
 #include "features/clouds/cloud_file.h"
+#include "features/clouds/cloud_jobs.h"
+#include "features/clouds/cloud_pairs.h"
 #include "features/clouds/cloud_panel.h"
 #include "look/last_folder.h"
+#include "views/profile_view.h"
 #include "views/scene_view.h"
+#include "views/slice_view.h"
 #include "workbench/workbench.h"
 
 namespace bole::desktop {
 namespace {
 
-constexpr int cloud_section = 0;    // of the menu File
+const QString in_cuts_key = "clouds/in_cuts";
 constexpr int place_step = 0x0c10;  // of undo, for steps that go on with one another
+
+bool same_range(const SceneCloud& a, const SceneCloud& b) {
+  if (!a.range || !b.range) return a.range.has_value() == b.range.has_value();
+  return a.range->lo == b.range->lo && a.range->hi == b.range->hi && a.range_title == b.range_title;
+}
+
+// Up to a shift.
+bool lies_alike(render::CloudPlace a, const render::CloudPlace& b) {
+  a.shift = b.shift;
+  if (a.only_shifts() && b.only_shifts()) a.pivot = b.pivot;
+  return a == b;
+}
 
 }  // namespace
 
@@ -45,41 +62,44 @@ class ListCloud : public SignedCommand {
 
 class PlaceCloud : public SignedCommand {
  public:
-  PlaceCloud(Clouds& clouds, const CloudEntry& before, const Eigen::Vector3d& shift_m, double turn_deg)
-      : SignedCommand(Clouds::tr("move cloud %1").arg(before.name())),
+  PlaceCloud(Clouds& clouds, const CloudEntry& before, const CloudPlacing& after, const QString& what)
+      : SignedCommand(what.isEmpty() ? Clouds::tr("move cloud %1").arg(before.name()) : what),
         clouds_(clouds),
         cloud_(before.id),
-        shift_before_m_(before.shift_m),
-        shift_after_m_(shift_m),
-        turn_before_deg_(before.turn_deg),
-        turn_after_deg_(turn_deg) {}
-  void undo() override { clouds_.put_place(cloud_, shift_before_m_, turn_before_deg_); }
-  void redo() override { clouds_.put_place(cloud_, shift_after_m_, turn_after_deg_); }
+        typed_(what.isEmpty()),
+        before_(before.at),
+        after_(after) {}
+  void undo() override { clouds_.put_place(cloud_, before_); }
+  void redo() override { clouds_.put_place(cloud_, after_); }
 
   // Arrows that are held in a box are one step.
-  int id() const override { return place_step; }
+  int id() const override { return typed_ ? place_step : -1; }
   bool mergeWith(const QUndoCommand* other) override {
     const auto* next = dynamic_cast<const PlaceCloud*>(other);
     if (next == nullptr || next->cloud_ != cloud_) return false;
-    shift_after_m_ = next->shift_after_m_;
-    turn_after_deg_ = next->turn_after_deg_;
+    after_ = next->after_;
     return true;
   }
 
  private:
   Clouds& clouds_;
   int cloud_;
-  Eigen::Vector3d shift_before_m_, shift_after_m_;
-  double turn_before_deg_, turn_after_deg_;
+  bool typed_;
+  CloudPlacing before_, after_;
 };
 
 Clouds::Clouds(Workbench& bench) : QObject(&bench), bench_(bench) {
+  in_cuts_ = QSettings().value(in_cuts_key, true).toBool();
+  pairs_ = new CloudPairs(*this, bench);
+  jobs_ = new CloudJobs(*this, bench);
   make_commands();
+  make_align_commands();
   panel_ = new CloudPanel(*this, bench);
   connect(&bench_, &Workbench::document_opened, this, &Clouds::load);
   connect(&bench_, &Workbench::document_saved, this, [this] { bench_.guarded([this] { store(); }); });
   connect(&bench_, &Workbench::cloud_dropped, this,
           [this](const QString& path) { bench_.guarded([&] { add(path); }); });
+  connect(&bench_, &Workbench::survey_shown, this, [this] { drop_distances_from(0); });
   for (const auto signal : {&SceneView::index_built, &SceneView::settings_changed})
     connect(&bench_.scene(), signal, this, [this] {
       draw();  // how far they are may have become known
@@ -95,56 +115,19 @@ Clouds::Clouds(Workbench& bench) : QObject(&bench), bench_(bench) {
   connect(&work_, &BackgroundWork::failed, this, &Clouds::refuse);
 }
 
-void Clouds::make_commands() {
-  auto& commands = bench_.commands();
-  const auto chosen = [this] { return panel_ == nullptr ? nullptr : find(panel_->current()); };
-  const When with_cloud{[chosen] { return chosen() != nullptr; }, tr("Select a cloud in the panel Clouds first.")};
-  const When with_read{[chosen] { return chosen() != nullptr && chosen()->read != nullptr; },
-                       tr("Select a cloud in the panel Clouds first.")};
-  commands.add({.id = "clouds.add",
-                .text = tr("Add a cloud to look at…"),
-                .key = QKeySequence("Ctrl+Shift+A"),
-                .places = {in_menu(Menu::file, cloud_section), in_context("clouds")},
-                .act = [this] { ask_for_files(); },
-                .enabled_when = bench_.with_document(),
-                .tip = tr("Another point cloud beside the survey: drawn, measured and cut, never computed with")});
-  commands.add({.id = "clouds.show",
-                .text = tr("Show the cloud"),
-                .places = {in_context("clouds")},
-                .turn = [this](bool on) { show(panel_->current(), on); },
-                .enabled_when = with_cloud,
-                .checked_when = [chosen] { return chosen() != nullptr && chosen()->visible; }});
-  commands.add({.id = "clouds.zoom",
-                .text = tr("Zoom to the cloud"),
-                .places = {in_context("clouds")},
-                .act = [this] { zoom_to(panel_->current()); },
-                .enabled_when = {[this, chosen] { return chosen() != nullptr && is_drawn(panel_->current()); },
-                                 tr("Select a cloud that is drawn first.")}});
-  commands.add({.id = "clouds.move_here",
-                .text = tr("Move the cloud to the survey"),
-                .places = {in_context("clouds")},
-                .act = [this] { move_here(panel_->current()); },
-                .enabled_when = with_read,
-                .tip = tr("By the coordinate system where both have one, else centre onto centre; its numbers can be "
-                          "changed afterwards")});
-  commands.add({.id = "clouds.remove",
-                .text = tr("Remove the cloud"),
-                .places = {in_context("clouds")},
-                .act = [this] { remove(panel_->current()); },
-                .enabled_when = with_cloud,
-                .tip = tr("From the list; its file stays")});
-  commands.add({.id = "clouds.cancel",
-                .text = tr("Cancel the reading"),
-                .places = {in_context("clouds", 1)},
-                .act = [this] { cancel_reading(); },
-                .enabled_when = {[this] { return reading(); }, tr("No cloud is being read.")}});
-}
-
 void Clouds::ask_for_files() {
   const auto paths =
       QFileDialog::getOpenFileNames(&bench_, tr("Add a cloud to look at"), last_folder("open"),
                                     tr("Point clouds") + " (" + cloud_endings() + ");;" + tr("All files") + " (*)");
   for (const auto& path : paths) add(note_folder("open", path));
+}
+
+void Clouds::ask_where_to_save(int id) {
+  const QString proposed = QFileInfo(find(id)->path).completeBaseName() + "_placed.laz";
+  const QString path =
+      QFileDialog::getSaveFileName(&bench_, tr("Save the cloud as it is shown"), in_last_folder("export", proposed),
+                                   tr("Point clouds (*.laz *.las *.ply *.csv *.xyz)"));
+  if (!path.isEmpty() && find(id) != nullptr) jobs_->save(id, note_folder("export", path));
 }
 
 const CloudEntry* Clouds::find(int id) const {
@@ -208,14 +191,14 @@ void Clouds::take(const std::shared_ptr<const ReadCloud>& read) {
     added.path = wish.path;
     added.color = free_cloud_color(list_);
     added.read = read;
-    added.pivot_m = ((read->extent.lo + read->extent.hi) / 2).head<2>().array().round();
+    added.know_pivot();
     bench_.session().undo_stack().push(
         new ListCloud(*this, tr("add cloud %1").arg(added.name()), true, list_.size(), added));
     panel_->select(added.id);
     tell_if_far(added);
   } else if (auto* known = dropped_ ? nullptr : entry(wish.id)) {
     known->read = read;
-    if (!known->pivot_m) known->pivot_m = ((read->extent.lo + read->extent.hi) / 2).head<2>().array().round();
+    known->know_pivot();
     update();
   }
   if (!dropped_)
@@ -256,6 +239,7 @@ void Clouds::remove(int id) {
 
 void Clouds::insert(std::size_t where, CloudEntry entry) {
   if (!entry.read && entry.problem.isEmpty()) wishes_.push_back({entry.id, entry.path});
+  drop_distances(entry);  // a survey may have come meanwhile
   list_.insert(list_.begin() + static_cast<std::ptrdiff_t>(std::min(where, list_.size())), std::move(entry));
   update();
   read_next();
@@ -266,22 +250,83 @@ CloudEntry Clouds::take_out(int id) {
   CloudEntry out = *it;
   list_.erase(it);
   placed_.erase(id);
+  forget_distances(id);
   std::erase_if(wishes_, [id](const Wish& wish) { return wish.id == id; });
   update();
   return out;
 }
 
-void Clouds::place(int id, const Eigen::Vector3d& shift_m, double turn_deg) {
+void Clouds::place(int id, const CloudPlacing& at, const QString& what) {
   const auto* before = find(id);
-  if (before == nullptr || (before->shift_m == shift_m && before->turn_deg == turn_deg)) return;
-  bench_.session().undo_stack().push(new PlaceCloud(*this, *before, shift_m, turn_deg));
+  if (before == nullptr || before->at == at) return;
+  bench_.session().undo_stack().push(new PlaceCloud(*this, *before, at, what));
 }
 
-void Clouds::put_place(int id, const Eigen::Vector3d& shift_m, double turn_deg) {
+void Clouds::put_place(int id, const CloudPlacing& at) {
   auto* placed = entry(id);
   if (placed == nullptr) return;
-  placed->shift_m = shift_m;
-  placed->turn_deg = turn_deg;
+  placed->at = at;
+  drop_distances(*placed);
+  forget_distances(id);
+  update();
+}
+
+// What was measured holds for the places that the clouds had.
+void Clouds::drop_distances(CloudEntry& entry) {
+  if (!entry.distances) return;
+  if (is_of_distances(entry.color_by)) entry.color_by = entry.distances->color_before;
+  entry.read = entry.distances->read_before;
+  entry.distances.reset();
+}
+
+void Clouds::forget_distances(int from) {
+  for (auto& entry : list_)
+    if (entry.distances && entry.distances->from == from) drop_distances(entry);
+}
+
+void Clouds::drop_distances_from(int from) {
+  const auto measured = [from](const CloudEntry& entry) { return entry.distances && entry.distances->from == from; };
+  if (from == 0 && bench_.scene().survey().points == measured_from_) return;
+  if (std::ranges::none_of(list_, measured)) return;
+  forget_distances(from);
+  update();
+}
+
+void Clouds::take_difference(int id, int from, const alignment::DifferenceOptions& options,
+                             alignment::CloudDifference difference) {
+  auto* measured = entry(id);
+  if (measured == nullptr || !measured->read) return;
+  drop_distances(*measured);
+  auto distances = std::make_shared<CloudDistances>();
+  distances->from = from;
+  distances->from_name = from == 0 ? tr("the survey") : find(from)->name();
+  distances->options = options;
+  distances->color_before = measured->color_by;
+  distances->read_before = measured->read;
+  // What is drawn of a cloud on disk are other points than the coarse ones that were measured.
+  if (!measured->read->on_disk()) {
+    auto points = *measured->read->points;
+    points.set_column(distance_column, std::move(difference.distance_m));
+    points.set_column(rise_column, std::move(difference.rise_m));
+    auto read = std::make_shared<ReadCloud>(*measured->read);
+    read->points = std::make_shared<const PointCloud>(std::move(points));
+    measured->read = read;
+    measured->color_by = distance_column;
+  }
+  difference.distance_m.clear();
+  difference.rise_m.clear();
+  distances->found = std::move(difference);
+  const double p95_m = distances->found.p95_m;
+  measured->color_range_m = std::max(0.001, std::isfinite(p95_m) ? p95_m : options.max_m);
+  measured->distances = distances;
+  if (from == 0) measured_from_ = bench_.scene().survey().points;
+  update();
+}
+
+void Clouds::color_up_to(int id, double metres) {
+  auto* painted = entry(id);
+  if (painted == nullptr || !(metres > 0)) return;
+  painted->color_range_m = metres;
   update();
 }
 
@@ -292,14 +337,14 @@ void Clouds::move_here(int id) {
     throw bad_input("no survey is shown yet", "one that the cloud can be moved to", "Wait until it is read, or run it");
   const auto move = move_onto(*moved, bench_.scene().whole(), bench_.runner().results());
   const QString name = moved->name();
-  place(id, move.shift_m, move.turn_deg);
+  place(id, move.to);
   bench_.say((move.by_georeference
                   ? tr("%1 was moved by the place of the survey in their coordinate system: %2, %3, %4 m")
                   : tr("%1 was moved centre onto centre: %2, %3, %4 m"))
                  .arg(name)
-                 .arg(move.shift_m.x(), 0, 'f', 2)
-                 .arg(move.shift_m.y(), 0, 'f', 2)
-                 .arg(move.shift_m.z(), 0, 'f', 2));
+                 .arg(move.to.shift_m.x(), 0, 'f', 2)
+                 .arg(move.to.shift_m.y(), 0, 'f', 2)
+                 .arg(move.to.shift_m.z(), 0, 'f', 2));
 }
 
 void Clouds::show(int id, bool on) {
@@ -316,6 +361,15 @@ void Clouds::paint(int id, const render::Color& color, const std::string& color_
   painted->color_by = color_by;
   painted->point_px = point_px;
   update();
+}
+
+void Clouds::fade(int id, double opacity, bool keep) {
+  auto* faded = entry(id);
+  if (faded == nullptr) return;
+  faded->opacity = std::clamp(opacity, min_opacity, 1.0);
+  if (keep) return update();
+  draw();
+  Q_EMIT changed();
 }
 
 void Clouds::zoom_to(int id) {
@@ -335,34 +389,75 @@ bool Clouds::is_drawn(int id) const {
   return asked != nullptr && asked->visible && asked->read && distance_m(id).value_or(0) <= undrawn_cloud_m;
 }
 
-// What turns is computed anew; what is only shifted shares its points.
+// What turns is computed anew; what is only shifted, or got more columns, shares its points.
+const Clouds::Placed& Clouds::placed(const CloudEntry& entry) {
+  auto& placed = placed_[entry.id];
+  const auto place = entry.place();
+  const auto& own = *entry.read->points;
+  const bool same_points =
+      placed.of && placed.of->points->shared_positions() == own.shared_positions() && lies_alike(placed.place, place);
+  if (!same_points) {
+    placed = {entry.read, place, std::make_shared<const PointCloud>(placed_cloud(own, place)), entry.read->index};
+    if (!place.only_shifts() && !entry.read->on_disk())
+      placed.index = std::make_shared<const PointIndex>(placed.points, nullptr, nullptr);
+    return placed;
+  }
+  const Eigen::Vector3d origin = place.of(own.origin);
+  if (placed.of == entry.read && placed.points->origin == origin) return placed;
+  auto moved = own;
+  moved.share_positions(placed.points->shared_positions());
+  moved.origin = origin;
+  moved.scale = place.moves_nothing() ? own.scale : Eigen::Vector3d::Zero();
+  placed.of = entry.read;
+  placed.place = place;
+  placed.points = std::make_shared<const PointCloud>(std::move(moved));
+  return placed;
+}
+
+std::shared_ptr<const PointCloud> Clouds::placed_points(int id) {
+  const auto* asked = find(id);
+  return asked == nullptr || !asked->read ? nullptr : placed(*asked).points;
+}
+
 void Clouds::draw() {
   std::vector<SceneCloud> clouds;
   for (const auto& entry : list_) {
     if (!is_drawn(entry.id)) continue;
-    auto& placed = placed_[entry.id];
-    const auto place = entry.place();
-    const auto& own = *entry.read->points;
-    if (placed.of != entry.read || placed.turn_deg != entry.turn_deg) {
-      placed = {entry.read, entry.turn_deg, std::make_shared<const PointCloud>(placed_cloud(own, place)),
-                entry.read->index};
-      if (entry.turn_deg != 0 && !entry.read->on_disk())
-        placed.index = std::make_shared<const PointIndex>(placed.points, nullptr, nullptr);
-    } else if (const Eigen::Vector3d origin = place.of(own.origin); placed.points->origin != origin) {
-      auto moved = *placed.points;
-      moved.origin = origin;
-      moved.scale = place.moves_nothing() ? own.scale : Eigen::Vector3d::Zero();
-      placed.points = std::make_shared<const PointCloud>(std::move(moved));
+    const auto& now = placed(entry);
+    SceneCloud cloud{entry.id,       entry.name(), now.points,     now.index,    entry.place(),
+                     entry.color_by, entry.color,  entry.point_px, entry.opacity};
+    if (entry.distances && is_of_distances(entry.color_by)) {
+      const double up_to_m = entry.color_range_m;
+      cloud.range = render::Interval{entry.color_by == rise_column ? -up_to_m : 0, up_to_m};
+      cloud.range_title = entry.color_by == rise_column ? tr("height difference (m)") : tr("distance (m)");
     }
-    clouds.push_back(
-        {entry.id, entry.name(), placed.points, placed.index, place, entry.color_by, entry.color, entry.point_px});
+    clouds.push_back(std::move(cloud));
   }
   const auto same = [](const SceneCloud& a, const SceneCloud& b) {
     return a.id == b.id && a.points == b.points && a.index == b.index && a.place == b.place &&
-           a.color_by == b.color_by && a.point_px == b.point_px && a.color.r == b.color.r && a.color.g == b.color.g &&
-           a.color.b == b.color.b;
+           a.color_by == b.color_by && a.point_px == b.point_px && a.opacity == b.opacity && same_range(a, b) &&
+           a.color.r == b.color.r && a.color.g == b.color.g && a.color.b == b.color.b;
   };
   if (!std::ranges::equal(clouds, bench_.scene().clouds(), same)) bench_.scene().set_clouds(std::move(clouds));
+  draw_cuts();
+}
+
+// The views of one stem; of a cloud on disk they have its coarse points.
+void Clouds::draw_cuts() {
+  std::vector<CutCloud> cuts;
+  if (in_cuts_)
+    for (const auto& cloud : bench_.scene().clouds())
+      cuts.push_back({cloud.points, cloud.disk() ? nullptr : cloud.index, key_of(cloud).name, cloud.color});
+  if (cuts == cuts_) return;
+  cuts_ = cuts;
+  bench_.slice().show_clouds(cuts);
+  bench_.profile().show_clouds(std::move(cuts));
+}
+
+void Clouds::show_in_cuts(bool on) {
+  in_cuts_ = on;
+  QSettings().setValue(in_cuts_key, on);
+  draw_cuts();
 }
 
 void Clouds::update() {

@@ -246,7 +246,9 @@ void SectionTool::show_cut(const Survey& of, bool keep_sight, const Slab& slab) 
   auto& scene = bench_.scene();
   cut_ = of;
   beside_.clear();
+  beside_ids_.clear();
   for (const auto& cloud : scene.clouds()) {
+    beside_ids_.push_back(cloud.id);
     beside_.push_back(section_cloud(cloud, scene.paint()));
     if (const auto read = slab.beside.find(cloud.id); read != slab.beside.end()) beside_.back().points = read->second;
   }
@@ -275,9 +277,8 @@ void SectionTool::read_slab(const SlabWish& wish, const std::stop_token& stop,
     Slab slab;
     if (wish.disk) slab.survey = slab_from_disk(*wish.disk, wish.line, run);
     for (const auto& cloud : wish.beside) {
-      const SectionLine own{cloud.place.back(wish.line.from), cloud.place.back(wish.line.to), wish.line.width_m};
       slab.beside[cloud.id] = std::make_shared<const PointCloud>(
-          render::placed_cloud(*slab_from_disk(*cloud.disk(), own, run), cloud.place));
+          render::placed_cloud(*slab_from_disk(*cloud.disk(), own_line(cloud, wish.line), run), cloud.place));
     }
     answer([this, slab = std::move(slab), wish] { take_slab(wish, slab); });
   } catch (const std::exception& e) {
@@ -314,7 +315,7 @@ void SectionTool::click(const std::optional<std::uint32_t>& point, std::int64_t 
   if (scene.place_taker() != nullptr) {
     if (!known || (owner == 0 && scene.survey().points != survey_.points))
       return bench_.say(tr("There is no point here. Click one that is drawn."));
-    return scene.give_place({cloud, index}, owner == 0);
+    return scene.give_place({cloud, index}, owner == 0 ? 0 : beside_ids_[owner - 1]);
   }
   std::int64_t tree = stem;
   if (known && owner == 0 && cloud->has(arrays::tree_id))

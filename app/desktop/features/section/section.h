@@ -80,6 +80,7 @@ class SectionTool : public QObject {
   Survey survey_;  // what cuts show of it
   Survey cut_;     // of which the points that are shown are: read from the disk where the survey lies there
   std::vector<SectionCloud> beside_;  // likewise
+  std::vector<int> beside_ids_;       // of the clouds of beside_
   LastWish<SlabWish> slabs_{this};
   bool reads_disk_ = false;
   std::optional<SectionLine> line_;

@@ -25,17 +25,51 @@ render::PointPaint paint_of(const SceneCloud& cloud, const render::PointPaint& o
   paint.color = cloud.color;
   if (cloud.color_by.empty()) return paint;
   paint = render::paint_by(*cloud.points, cloud.color_by);
+  if (cloud.range && paint.kind == render::PointPaint::Kind::map) {
+    paint.range = *cloud.range;
+    paint.title = cloud.range_title.toStdString();
+    if (paint.range.lo < 0) paint.map = &render::ColorMap::diverging();
+    return paint;
+  }
   if (paint.kind == render::PointPaint::Kind::map && of_survey.kind == paint.kind && of_survey.array == paint.array)
     return of_survey;
   return paint;
 }
 
+SectionLine own_line(const SceneCloud& cloud, const SectionLine& line) {
+  const auto own = [&](const Eigen::Vector2d& plan, double z) {
+    return Eigen::Vector2d(cloud.place.back({plan.x(), plan.y(), z}).head<2>());
+  };
+  if (cloud.place.is_upright()) return {own(line.from, 0), own(line.to, 0), line.width_m / cloud.place.scale};
+  constexpr double above_coarse_m = 1;  // the highest point need not be among the coarse ones
+  double low = 1e9, high = -1e9;
+  for (std::size_t i = 0; i < cloud.points->size(); ++i) {
+    low = std::min(low, cloud.points->position(i).z() - above_coarse_m);
+    high = std::max(high, cloud.points->position(i).z() + above_coarse_m);
+  }
+  const SectionLine middle{own(line.from, (low + high) / 2), own(line.to, (low + high) / 2), 0};
+  Eigen::Vector2d lo(1e9, 1e9), hi = -lo;
+  for (const auto& end : {line.from, line.to})
+    for (const double side : {-0.5, 0.5})
+      for (const double z : {low, high}) {
+        const Eigen::Vector2d corner = middle.along_and_off(own(end + side * line.width_m * line.behind(), z));
+        lo = lo.cwiseMin(corner);
+        hi = hi.cwiseMax(corner);
+      }
+  const Eigen::Vector2d off = (lo.y() + hi.y()) / 2 * middle.behind();
+  return {middle.from + lo.x() * middle.direction() + off, middle.from + hi.x() * middle.direction() + off,
+          hi.y() - lo.y()};
+}
+
 SectionCloud section_cloud(const SceneCloud& cloud, const render::PointPaint& of_survey) {
   // The index of a cloud on disk is that of its points before they were turned.
-  return {cloud.points,
-          cloud.disk() ? nullptr : cloud.index,
-          paint_of(cloud, of_survey),
-          {cloud.name.toStdString(), cloud.color_by.empty() ? std::optional(cloud.color) : std::nullopt}};
+  return {cloud.points, cloud.disk() ? nullptr : cloud.index, paint_of(cloud, of_survey), key_of(cloud)};
+}
+
+render::CloudKey key_of(const SceneCloud& cloud) {
+  auto name = cloud.name.toStdString();
+  if (cloud.place.scale != 1) name = fmt::format("\u00d7{:.4f} ", cloud.place.scale) + name;
+  return {std::move(name), cloud.color_by.empty() ? std::optional(cloud.color) : std::nullopt};
 }
 
 CloudLayers::~CloudLayers() {
@@ -102,6 +136,7 @@ void CloudLayers::dress(const render::PointFilter& filter, const std::optional<r
   for (std::size_t k = 0; k < clouds_.size(); ++k) {
     auto& layer = *layers_[k];
     auto paint = paint_of(clouds_[k], of_survey);
+    layer.points.set_opacity(clouds_[k].opacity);
     if (auto words = words_of(paint); words != layer.paint) {
       layer.paint = std::move(words);
       layer.points.set_paint(std::move(paint));
@@ -172,11 +207,19 @@ void CloudLayers::add_drawn(std::vector<render::PointSet>& drawn, std::vector<co
     }
 }
 
+std::optional<render::PointPaint> CloudLayers::legend(const render::PointPaint& of_survey) const {
+  if (!origin_) return {};
+  for (const auto& cloud : clouds_) {
+    const auto paint = paint_of(cloud, of_survey);
+    if (paint.kind == render::PointPaint::Kind::map && words_of(paint) != words_of(of_survey)) return paint;
+  }
+  return {};
+}
+
 std::vector<render::CloudKey> CloudLayers::keys() const {
   std::vector<render::CloudKey> keys;
   if (!origin_) return keys;
-  for (const auto& cloud : clouds_)
-    keys.push_back({cloud.name.toStdString(), cloud.color_by.empty() ? std::optional(cloud.color) : std::nullopt});
+  for (const auto& cloud : clouds_) keys.push_back(key_of(cloud));
   return keys;
 }
 

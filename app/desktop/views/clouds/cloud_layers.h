@@ -41,6 +41,8 @@ class CloudLayers : public QObject {
   // Adds what is seen of them, and whose it is.
   void add_drawn(std::vector<render::PointSet>& drawn, std::vector<const SceneCloud*>& owners) const;
   std::vector<render::CloudKey> keys() const;
+  // Of the first of them whose numbers have colours of their own.
+  std::optional<render::PointPaint> legend(const render::PointPaint& of_survey) const;
 
  Q_SIGNALS:
   void arrived();      // points from the disk
