@@ -91,7 +91,7 @@ void Clouds::make_align_commands() {
   commands.add(
       {.id = "clouds.clear_pairs",
        .text = tr("Remove all pairs of points"),
-                .places = {in_context("clouds", 1)},
+       .places = {in_context("clouds", 1)},
        .act = [this, current] { pairs_->clear(current()); },
        .enabled_when = {[this, current] { return !pairs_->of(current()).empty(); }, tr("There is no pair of points.")},
        .tip = tr("From the list; the cloud stays where it is")});
