@@ -84,12 +84,14 @@ void Clouds::make_align_commands() {
                  "to; three pairs or more")});
   commands.add({.id = "clouds.remove_pair",
                 .text = tr("Remove the pair of points"),
+                .places = {in_context("clouds", 1)},
                 .act = [this, current] { pairs_->remove(current(), panel_->align().selected_pair()); },
                 .enabled_when = {with_pair, tr("Select a pair of points in the panel Clouds first.")},
                 .tip = tr("From the list; the cloud stays where it is")});
   commands.add(
       {.id = "clouds.clear_pairs",
        .text = tr("Remove all pairs of points"),
+       .places = {in_context("clouds", 1)},
        .act = [this, current] { pairs_->clear(current()); },
        .enabled_when = {[this, current] { return !pairs_->of(current()).empty(); }, tr("There is no pair of points.")},
        .tip = tr("From the list; the cloud stays where it is")});
