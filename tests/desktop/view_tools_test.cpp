@@ -12,6 +12,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QTimer>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -585,7 +586,8 @@ class ViewToolsTest : public QObject {
     window_ = std::make_unique<MainWindow>();
     window_->show();
     QVERIFY(reopen(*window_));
-    QCOMPARE(window_->log().all_lines().front().text, QString("the file holds no points"));
+    const auto lines = window_->log().all_lines();
+    QCOMPARE(std::ranges::count(lines, QString("the file holds no points"), &LogLine::text), 1);
     QCOMPARE(std::get<double>(window_->session().document().at("slice").options.get("thickness")), 0.15);
     QVERIFY(window_->session().changed());
     QVERIFY(wait_for_run(*window_));
