@@ -4565,8 +4565,8 @@
             <translation>features 为 sampled</translation>
         </message>
         <message>
-            <source>preset %1 repeats a published method, for comparison. In maps of these presets, diameters were up to 1.8 cm too small on simulated plots, and as few as one in four 95 % intervals held the true diameter. For a survey use preset=best</source>
-            <translation>预设 %1 重现已发表的方法，供比较用。在这些预设的地图中，模拟样地上的直径最多偏小 1.8 cm，95 % 区间中低至四分之一含有真实直径。调查请使用 preset=best</translation>
+            <source>preset %1 repeats a published method, for comparison. On simulated plots such presets made walks up to 0.5 % too short and bent the map by centimetres: distances are wrong by that, and diameters uncertain. For a survey use preset=best</source>
+            <translation>预设 %1 重现已发表的方法，用于比较。在模拟样地上，这类预设使行走路径最多偏短 0.5 %，并使点云弯曲数厘米：距离因此有误，直径不确定。正式调查请用 preset=best</translation>
         </message>
         <message>
             <source>the scan has no frames</source>
@@ -5077,6 +5077,42 @@
         <message>
             <source>model is 'ray' but no sensor position is known: the surface distance was used. Give sensor_x, sensor_y, sensor_z, or time with a trajectory</source>
             <translation>model 为“ray”，但没有已知的传感器位置：采用到表面的距离。请给出 sensor_x、sensor_y、sensor_z，或时间和轨迹</translation>
+        </message>
+        <message>
+            <source>the walk is %1 % too short in the map: stems lie at other places when they are seen from far than from near. Diameters are corrected for it; distances between stems may be wrong by as much. Run SLAM with another preset, or compare with control points</source>
+            <translation>点云中的行走路径偏短 %1 %：从远处看到的单木与从近处看到的位置不同。直径已作相应校正；单木间的距离可能有同样比例的误差。请用另一预设运行 SLAM，或与控制点比较</translation>
+        </message>
+        <message>
+            <source>the walk is %1 % too short in the map, and distances between stems with it: %2 cm in 30 m, and %3 % in values per hectare. Run SLAM with preset=best, or compare with control points</source>
+            <translation>点云中的行走路径偏短 %1 %，单木间的距离也随之偏短：每 30 m 相差 %2 cm，每公顷数值相差 %3 %。请以 preset=best 运行 SLAM，或与控制点比较</translation>
+        </message>
+        <message>
+            <source>the walk is %1 % too long in the map: stems lie at other places when they are seen from far than from near. Diameters are corrected for it; distances between stems may be wrong by as much. Run SLAM with another preset, or compare with control points</source>
+            <translation>点云中的行走路径偏长 %1 %：从远处看到的单木与从近处看到的位置不同。直径已作相应校正；单木间的距离可能有同样比例的误差。请用另一预设运行 SLAM，或与控制点比较</translation>
+        </message>
+        <message>
+            <source>the walk is %1 % too long in the map, and distances between stems with it: %2 cm in 30 m, and %3 % in values per hectare. Run SLAM with preset=best, or compare with control points</source>
+            <translation>点云中的行走路径偏长 %1 %，单木间的距离也随之偏长：每 30 m 相差 %2 cm，每公顷数值相差 %3 %。请以 preset=best 运行 SLAM，或与控制点比较</translation>
+        </message>
+        <message>
+            <source>length of the walk</source>
+            <translation>行走路径的长度</translation>
+        </message>
+        <message>
+            <source>no stems were measured along rays</source>
+            <translation>没有沿射线测定的单木</translation>
+        </message>
+        <message>
+            <source>fit</source>
+            <translation>拟合</translation>
+        </message>
+        <message>
+            <source>gather points</source>
+            <translation>收集点</translation>
+        </message>
+        <message>
+            <source>measure distances</source>
+            <translation>测量距离</translation>
         </message>
         <message>
             <source>passes of the walk disagree by %1 cm: they were brought together by the stems</source>

@@ -47,9 +47,9 @@ void tell_range_stretch(double stretch, double taken_out, Report& report) {
   report.find(
       Severity::look, is_short ? "walk_too_short" : "walk_too_long",
       fmt::format("the walk is {:.2f} % too {} in the map: stems lie at other places when they are seen from far "
-                  "than from near. Diameters are corrected for it; distances between stems may be too {} by as "
+                  "than from near. Diameters are corrected for it; distances between stems may be wrong by as "
                   "much. Run SLAM with another preset, or compare with control points",
-                  100 * std::abs(taken_out), is_short ? "short" : "long", is_short ? "short" : "long"));
+                  100 * std::abs(taken_out), is_short ? "short" : "long"));
 }
 
 }  // namespace bole::stems
