@@ -47,9 +47,9 @@ double blur_sd(double range_offset_m) {
 // (docs/dev/diameters.md, "Walks that are too short"): views that disagree by 4.5, 6.5 and 10 mm asked for 3 mm or
 // less.
 double blurred_views_sd(double view_sd_m) {
-  constexpr double of_a_good_map_m = 0.002, share = 0.7, most_m = 0.003;
+  constexpr double of_a_good_map_m = 0.002, share = 0.7, max_sd_m = 0.003;
   const double excess2 = view_sd_m * view_sd_m - of_a_good_map_m * of_a_good_map_m;
-  return std::min(most_m, share * std::sqrt(std::max(0.0, excess2)));
+  return std::min(max_sd_m, share * std::sqrt(std::max(0.0, excess2)));
 }
 
 // Without rays a wide beam and noise across the bark make circles too wide, by more where points scatter more.
