@@ -1320,7 +1320,7 @@
         </message>
         <message>
             <source>fewer than 4 thousand million</source>
-            <translation>少于 4 十亿</translation>
+            <translation>少于 40 亿</translation>
         </message>
         <message>
             <source>the cloud has %1 points</source>
