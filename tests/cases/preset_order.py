@@ -20,12 +20,14 @@ REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 PRESETS = ["loam", "forest", "best"]
 
 # How many times as large a figure of one preset must be as that of the next. Seen on seeds 1 and 2: path 3.0 to 3.7 and 4.0 to 4.4 times,
-# wall 1.33 and 1.19; on seed 1 DBH 1.14 and 2.1 (the robust fit forgives nearly all of the thick walls of loam, so that between loam and
-# forest only the order is guarded). The margins leave a third, or half of what a figure is larger.
+# wall 1.29 and 1.17; on seed 1 DBH 1.8 times between forest and best. Between loam and forest DBH has no order: what loam does worst, a
+# walk that is too short, is taken out of the stems. Its own figure (6.9 times on seed 1) is guarded in its place. The margins leave a
+# third, or half of what a figure is larger.
 FACTORS = {
     "ate_cm": {"loam": 2.0, "forest": 2.6},
     "wall_mm": {"loam": 1.2, "forest": 1.08},
-    "dbh_rmse_cm": {"loam": 1.0, "forest": 1.3},
+    "dbh_rmse_cm": {"forest": 1.3},
+    "length_error_pct": {"loam": 3.0},
 }
 
 
@@ -55,7 +57,8 @@ def measured(bole, scan, out, settings):
     matched = {r["tree_id"] for r in rows(out / "matches.csv") if r["kind"] == "matched"}
     walls = [float(r["wall_cm"]) for r in rows(out / "stems.csv") if r["tree_id"] in matched and r["wall_cm"]]
     return {"frames": stages["slam"]["counts"]["frames"], "ate_cm": 100 * evaluated["ate_rmse"],
-            "wall_mm": 10 * statistics.median(walls), "dbh_rmse_cm": evaluated["dbh_rmse"], "trees": len(matched),
+            "wall_mm": 10 * statistics.median(walls), "dbh_rmse_cm": evaluated["dbh_rmse"],
+            "length_error_pct": abs(evaluated["length_error"]), "trees": len(matched),
             "seconds": stages["slam"]["seconds"], "evaluated": evaluated}
 
 
@@ -92,6 +95,8 @@ def disorder(figures):
         complaints.append("the presets mapped different numbers of frames")
     for measure, factors in FACTORS.items():
         for worse, better in zip(PRESETS, PRESETS[1:]):
+            if worse not in factors:
+                continue
             factor = figures[worse][measure] / figures[better][measure]
             print(f"  {measure}: {worse} has {factor:.2f} times that of {better} (at least {factors[worse]} expected)")
             if not factor >= factors[worse]:
