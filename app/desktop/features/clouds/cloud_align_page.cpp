@@ -91,19 +91,9 @@ void CloudAlignPage::make_list() {
 }
 
 QWidget* CloudAlignPage::make_buttons() {
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  const std::pair<const char*, QString> buttons[] = {{"clouds.pick_pairs", tr("Pick pairs")},
-                                                     {"clouds.remove_pair", tr("Remove")},
-                                                     {"clouds.clear_pairs", tr("Clear")}};
-  for (const auto& [id, text] : buttons) {
-    auto* button = new QToolButton;
-    put_action(*button, *bench_.commands().action(id), text);
-    layout->addWidget(button);
-  }
-  layout->addStretch();
-  return row;
+  return button_row(bench_.commands(), {{"clouds.pick_pairs", tr("Pick pairs")},
+                                        {"clouds.remove_pair", tr("Remove")},
+                                        {"clouds.clear_pairs", tr("Clear")}});
 }
 
 QWidget* CloudAlignPage::make_fine() {

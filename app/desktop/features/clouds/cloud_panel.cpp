@@ -127,18 +127,8 @@ void CloudPanel::make_list() {
 }
 
 QWidget* CloudPanel::make_buttons() {
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  const std::pair<const char*, QString> buttons[] = {
-      {"clouds.add", tr("Add…")}, {"clouds.zoom", tr("Zoom to")}, {"clouds.remove", tr("Remove")}};
-  for (const auto& [id, text] : buttons) {
-    auto* button = new QToolButton;
-    put_action(*button, *bench_.commands().action(id), text);
-    layout->addWidget(button);
-  }
-  layout->addStretch();
-  return row;
+  return button_row(bench_.commands(),
+                    {{"clouds.add", tr("Add…")}, {"clouds.zoom", tr("Zoom to")}, {"clouds.remove", tr("Remove")}});
 }
 
 int CloudPanel::current() const {

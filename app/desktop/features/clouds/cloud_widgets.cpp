@@ -1,9 +1,12 @@
 #include "features/clouds/cloud_widgets.h"
 
 #include <QAction>
+#include <QHBoxLayout>
 #include <QPainter>
 #include <QToolButton>
 #include <cmath>
+
+#include "commands/commands.h"
 
 namespace bole::desktop {
 
@@ -43,6 +46,19 @@ void put_action(QToolButton& button, QAction& action, const QString& short_text)
   action.setIconText(short_text);
   button.setDefaultAction(&action);
   button.setFocusPolicy(Qt::StrongFocus);
+}
+
+QWidget* button_row(Commands& commands, const std::vector<std::pair<const char*, QString>>& buttons) {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  for (const auto& [id, text] : buttons) {
+    auto* button = new QToolButton;
+    put_action(*button, *commands.action(id), text);
+    layout->addWidget(button);
+  }
+  layout->addStretch();
+  return row;
 }
 
 }  // namespace bole::desktop

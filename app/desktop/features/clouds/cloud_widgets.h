@@ -4,6 +4,8 @@
 #include <QColor>
 #include <QDoubleSpinBox>
 #include <QIcon>
+#include <utility>
+#include <vector>
 
 #include "render/draw/color.h"
 
@@ -11,6 +13,8 @@ class QAction;
 class QToolButton;
 
 namespace bole::desktop {
+
+class Commands;
 
 QColor qt_color(const render::Color& color);
 QIcon swatch(const QColor& color);
@@ -27,6 +31,9 @@ double typed(const QDoubleSpinBox& box, double before);
 
 // A tool button takes the short text of its action.
 void put_action(QToolButton& button, QAction& action, const QString& short_text);
+
+// A row of them, by the names of their commands.
+QWidget* button_row(Commands& commands, const std::vector<std::pair<const char*, QString>>& buttons);
 
 inline const auto number_changed = QOverload<double>::of(&QDoubleSpinBox::valueChanged);
 

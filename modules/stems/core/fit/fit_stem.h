@@ -50,7 +50,8 @@ struct Stem {
   double taper = 0;                                         // metres of radius per metre of stem
   double sigma_m = 0;                                       // of the distances from the surface
   double noise_m = 0;  // scatter of the residuals of the joint fit: of ranges where it is along rays
-  double wall_m = 0;   // the same before passes and views are brought together: how thick the map draws the bark
+  double wall_m = 0;   // the same before passes and views are brought together: how thick the map draws the bark,
+                       // less what a walk that is too short adds
   double girth_m = std::numeric_limits<double>::quiet_NaN();  // of the outline; NaN where not seen all round
   double ovality = std::numeric_limits<double>::quiet_NaN();  // widest less narrowest diameter, by their mean
   double arc_rad = 0;
