@@ -48,7 +48,7 @@ pipeline::StageType measure_stage() {
       "the walk that disagree by a centimetre or more are first brought together by the stems, and a walk that the map "
       "makes too short or too long is corrected. Every point gets the id "
       "of its tree.";
-  t.version = 9;
+  t.version = 10;
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
   t.inputs = measure_ports();
   t.inputs.push_back(

@@ -35,7 +35,7 @@
 namespace bole::stems {
 namespace {
 
-constexpr int max_alignments = 2, max_stretchings = 3;
+constexpr int max_alignments = 2, max_stretchings = 2, max_looks = 2;
 constexpr double unknown_once_aligned_m = 0.0007;  // of all radii alike: displacements take up some of the range offset
 constexpr double max_learnt_noise_m = 0.035;       // of the residuals' scale
 
@@ -59,7 +59,7 @@ class Survey {
     points_ = without_given_classes(points_, given_, run_);
     take_sensor();
     auto priors = search();
-    for (int round = 0; round < max_stretchings && take_out_stretch(); ++round) priors = search();
+    for (int round = 0; round < max_stretchings && take_out_stretch(); ++round) settle_stretch(), priors = search();
     if (pooled_ == nullptr)
       for (int round = 0; round < max_alignments && align_passes(priors); ++round) priors = search();
     priors.stretch_doubt = stretch_doubt_;
@@ -90,12 +90,18 @@ class Survey {
                            options_.model != FitModel::surface && knows_sensor(input_, trajectory_), out_.report);
   }
 
+  // Before stems have said what they share.
+  ProjectPriors priors_before() const {
+    ProjectPriors priors;
+    if (!options_.estimate_range_offset) priors.range_offset.sd_m = known_range_offset_sd_m;
+    return priors;
+  }
+
   // Stems by their first fits, and what they say together.
   ProjectPriors search() {
     fitted_.clear(), unfitted_.clear(), out_.rejected.clear(), tried_ = 0;
     detect();
-    ProjectPriors priors;
-    if (!options_.estimate_range_offset) priors.range_offset.sd_m = known_range_offset_sd_m;
+    auto priors = priors_before();
     fit_all(priors);
     test_rays();
     retry_displaced(priors);
@@ -133,6 +139,24 @@ class Survey {
     return moves;
   }
 
+  // The stems that are known say what is left of the stretch: only then is a search of the whole cloud worth its time.
+  void settle_stretch() {
+    if (pooled_ != nullptr) return;
+    for (int look = 0; look < max_looks; ++look) {
+      std::ranges::stable_sort(fitted_, by_score);
+      std::vector<Stem> known;
+      for (auto& s : fitted_)
+        if (tells_range_stretch(s) && !objection(s, options_) && !twin_of(s, known)) known.push_back(std::move(s));
+      candidates_.clear();
+      for (const auto& s : known) candidates_.push_back(s.candidate);
+      fitted_.clear();
+      read_layer();
+      rays_ = rays_of(points_, trajectory_, layer_, run_);
+      fit_all(priors_before()), test_rays();
+      if (!take_out_stretch()) return;
+    }
+  }
+
   // Where passes disagree by more than the search for circles forgives, they are brought together by the stems that
   // were found all the same. False when there is nothing to gain.
   bool align_passes(const ProjectPriors& priors) {
@@ -146,9 +170,13 @@ class Survey {
     return true;
   }
 
-  void detect() {
+  void read_layer() {
     run_.report(0, "stem layer");
     layer_ = make_stem_layer(points_, std::max(0.05, options_.search_bottom - 0.3), options_.search_top + 0.3, run_);
+  }
+
+  void detect() {
+    read_layer();
     const auto upright =
         upright_voxels(layer_, thin_layer(layer_, run_), options_.search_bottom, slabs_top_m(options_), run_);
     const auto circles = find_slab_circles(layer_, upright, options_, run_.part(0.05, 0.30));

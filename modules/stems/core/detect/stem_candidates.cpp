@@ -1,5 +1,8 @@
 #include "stems/core/detect/stem_candidates.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -103,11 +106,11 @@ class Linker {
     for (const auto i : near) {
       if (taken_[i]) continue;
       const auto& c = circles_[i];
-      const double r = axis.r_at(c.z),
-                   off = std::hypot(c.x - axis.x_at(c.z), c.y - axis.y_at(c.z)) / position_tolerance(r),
-                   dr = std::abs(c.radius - r) / radius_tolerance(r);
-      if (off > 1 || dr > 1) continue;
-      const double cost = off * off + dr * dr;
+      const double r = axis.r_at(c.z), dr = (c.radius - r) / radius_tolerance(r);
+      const double dx = c.x - axis.x_at(c.z), dy = c.y - axis.y_at(c.z), reach = position_tolerance(r);
+      const double off2 = (dx * dx + dy * dy) / (reach * reach), dr2 = dr * dr;
+      if (off2 > 1 || dr2 > 1) continue;
+      const double cost = off2 + dr2;
       if (const auto it = by_slab.find(c.slab); it == by_slab.end() || cost < it->second.first)
         by_slab[c.slab] = {cost, i};
     }
@@ -160,11 +163,15 @@ StemCandidate candidate_of(const Consensus& c, const std::vector<SlabCircle>& ci
 LinkedCircles link_circles(const std::vector<SlabCircle>& circles, const MeasureOptions& options, const Run& run) {
   Linker linker(circles, options);
   LinkedCircles out;
+  std::vector<Consensus> first(circles.size());
+  const auto look_through = [&](const auto& block) {
+    for (auto i = block.begin(); i != block.end() && !run.cancelled(); ++i) first[i] = linker.best_through(i);
+  };
+  tbb::parallel_for(tbb::blocked_range<std::uint32_t>(0, static_cast<std::uint32_t>(circles.size()), 16), look_through);
+  run.check_cancel();
   std::vector<std::pair<Consensus, std::uint32_t>> queue;
-  for (std::uint32_t i = 0; i < circles.size(); ++i) {
-    if (i % 16 == 0) run.check_cancel();
-    if (auto c = linker.best_through(i); c.members.size() >= 2) queue.emplace_back(std::move(c), i);
-  }
+  for (std::uint32_t i = 0; i < circles.size(); ++i)
+    if (first[i].members.size() >= 2) queue.emplace_back(std::move(first[i]), i);
   const auto weaker = [](const auto& a, const auto& b) { return a.first.score < b.first.score; };
   std::ranges::make_heap(queue, weaker);
   while (!queue.empty()) {

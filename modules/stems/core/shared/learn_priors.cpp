@@ -16,9 +16,8 @@ namespace {
 
 constexpr double all_round_rad = 6.0;
 
-// Rays that all come from one side cannot tell their offset, or a stretch, from the place of the stem.
+// Rays that all come from one side cannot tell their offset from the place of the stem.
 bool tells_range_offset(const Stem& s) { return s.range_offset.sd_m > 0 && s.arc_rad > all_round_rad; }
-bool tells_range_stretch(const Stem& s) { return s.range_stretch.sd > 0 && s.arc_rad > all_round_rad; }
 
 void tell_priors(const ProjectPriors& priors, double moved_m, Report& report, bool drift, bool range_offset) {
   if (drift) {
@@ -29,6 +28,8 @@ void tell_priors(const ProjectPriors& priors, double moved_m, Report& report, bo
 }
 
 }  // namespace
+
+bool tells_range_stretch(const Stem& s) { return s.range_stretch.sd > 0 && s.arc_rad > all_round_rad; }
 
 void learn_priors(const std::vector<Stem>& fitted, const MeasureOptions& options, double moved_m, ProjectPriors& priors,
                   Report& report, const Run& run) {
