@@ -15,7 +15,7 @@ struct PoolOptions {
 pipeline::StageType evidence_stage() {
   pipeline::StageType t;
   t.name = "stems.evidence";
-  t.version = 3;
+  t.version = 4;
   t.vtk_class = "vtkBoleStemEvidence";
   t.title = "Evidence of the stems";
   t.help =
@@ -52,7 +52,7 @@ pipeline::StageType pool_stage() {
       "A larger value lets the stems say more."}});
   pipeline::StageType t;
   t.name = "stems.pool_priors";
-  t.version = 3;
+  t.version = 4;
   t.vtk_class = "vtkBolePoolPriors";
   t.title = "Pool the priors";
   t.help =

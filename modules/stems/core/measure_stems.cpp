@@ -66,7 +66,6 @@ class Survey {
     if (out_.range_stretch) tell_range_stretch(*out_.range_stretch, taken_out_, out_.report);
     learn_noise();
     priors.noise_m = noise_m_;
-    drop_repeated();
     if (priors.learnt) refit_all(priors);
     put_back_repeated(priors);
     accept();
@@ -99,12 +98,13 @@ class Survey {
 
   // Stems by their first fits, and what they say together.
   ProjectPriors search() {
-    fitted_.clear(), unfitted_.clear(), out_.rejected.clear(), tried_ = 0;
+    fitted_.clear(), unfitted_.clear(), repeated_.clear(), out_.rejected.clear(), tried_ = 0;
     detect();
     auto priors = priors_before();
     fit_all(priors);
     test_rays();
     retry_displaced(priors);
+    drop_repeated();
     if (pooled_ == nullptr)
       learn_priors(fitted_, options_, moved_m_, priors, out_.report, run_);
     else
@@ -143,12 +143,9 @@ class Survey {
   void settle_stretch() {
     if (pooled_ != nullptr) return;
     for (int look = 0; look < max_looks; ++look) {
-      std::ranges::stable_sort(fitted_, by_score);
-      std::vector<Stem> known;
-      for (auto& s : fitted_)
-        if (tells_range_stretch(s) && !objection(s, options_) && !twin_of(s, known)) known.push_back(std::move(s));
       candidates_.clear();
-      for (const auto& s : known) candidates_.push_back(s.candidate);
+      for (const auto& s : fitted_)
+        if (tells_range_stretch(s) && !objection(s, options_)) candidates_.push_back(s.candidate);
       fitted_.clear();
       read_layer();
       rays_ = rays_of(points_, trajectory_, layer_, run_);
@@ -251,7 +248,7 @@ class Survey {
     return objection(s, options_).has_value();
   }
 
-  // Fits that found the stem of a better candidate need no second round.
+  // Fits that found the stem of a better candidate say nothing new, and need no second round.
   void drop_repeated() {
     std::ranges::stable_sort(fitted_, by_score);
     repeated_ = take_repeated(fitted_, [&](const Stem& s) { return hopeless(s); });

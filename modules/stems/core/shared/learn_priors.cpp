@@ -42,7 +42,7 @@ void learn_priors(const std::vector<Stem>& fitted, const MeasureOptions& options
   }
   const bool tells_offset = !offsets.empty() && options.estimate_range_offset;
   priors.learnt = !drift.empty() || !offsets.empty();
-  if (!drift.empty()) priors.drift = likeliest_drift(drift, run);
+  if (!drift.empty()) priors.drift = mean_drift(drift, run);
   if (tells_offset)
     priors.range_offset = mean_range_offset(offsets, options.range_offset_sd.value_or(range_offset_of_many_lasers),
                                             priors.drift.view_sd_m);

@@ -52,7 +52,7 @@ PooledPriors pool(const std::vector<StemEvidence>& stems, std::optional<double> 
     if (s.noise_m > 0) noise.push_back(s.noise_m);
     if (s.range_offset_expected_m > 0) expected.push_back(s.range_offset_expected_m);
   }
-  if (drifts) out.drift = likeliest_drift(sum);
+  if (drifts) out.drift = mean_drift(sum);
   const double sd_m = expected.empty() ? range_offset_of_many_lasers : upper_median(std::move(expected));
   if (!offsets.empty())
     out.range_offset =

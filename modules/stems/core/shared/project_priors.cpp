@@ -29,12 +29,20 @@ DriftLikelihoods drift_likelihoods(const DriftEvidence& stem) {
   return out;
 }
 
-DriftPrior likeliest_drift(const DriftLikelihoods& sum) {
-  const auto k = static_cast<std::size_t>(std::ranges::max_element(sum) - sum.begin());
-  return {pass_sds[k / view_sds.size()], view_sds[k % view_sds.size()]};
+// Weighted by the likelihood: the mode would leap between two steps that are as good, of which one gives to the passes
+// what the other gives to the views.
+DriftPrior mean_drift(const DriftLikelihoods& sum) {
+  const double best = *std::ranges::max_element(sum);
+  double weights = 0, pass2 = 0, view2 = 0;
+  for (std::size_t k = 0; k < sum.size(); ++k) {
+    const double weight = std::exp(sum[k] - best), pass = pass_sds[k / view_sds.size()],
+                 view = view_sds[k % view_sds.size()];
+    weights += weight, pass2 += weight * pass * pass, view2 += weight * view * view;
+  }
+  return {std::sqrt(pass2 / weights), std::sqrt(view2 / weights)};
 }
 
-DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems, const Run& run) {
+DriftPrior mean_drift(const std::vector<const DriftEvidence*>& stems, const Run& run) {
   std::vector<DriftLikelihoods> of_stem(stems.size());
   tbb::parallel_for(std::size_t{0}, stems.size(), [&](std::size_t i) {
     if (!run.cancelled()) of_stem[i] = drift_likelihoods(*stems[i]);
@@ -43,7 +51,7 @@ DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems, const
   DriftLikelihoods sum{};
   for (const auto& own : of_stem)
     for (std::size_t k = 0; k < own.size(); ++k) sum[k] += own[k];
-  return likeliest_drift(sum);
+  return mean_drift(sum);
 }
 
 RangeOffsetPrior mean_range_offset(const std::vector<RangeOffsetEvidence>& stems, double expected_sd_m,

@@ -16,10 +16,10 @@ inline constexpr double known_range_offset_sd_m = 0.0005;  // prior where the ra
 inline constexpr std::size_t drift_pass_steps = 11, drift_view_steps = 8;
 using DriftLikelihoods = std::array<double, drift_pass_steps * drift_view_steps>;
 DriftLikelihoods drift_likelihoods(const DriftEvidence& stem);
-DriftPrior likeliest_drift(const DriftLikelihoods& sum);
+DriftPrior mean_drift(const DriftLikelihoods& sum);
 
-// The spreads of passes and views that make the evidence of all stems likeliest.
-DriftPrior likeliest_drift(const std::vector<const DriftEvidence*>& stems, const Run& run);
+// The spreads of passes and views by the evidence of all stems.
+DriftPrior mean_drift(const std::vector<const DriftEvidence*>& stems, const Run& run);
 
 // Mean over stems, which differ by more than their own uncertainty (sections are not round): a random-effects mean of
 // bounded influence, drawn to zero by what is expected of a sensor: Student's distribution of three degrees of freedom
