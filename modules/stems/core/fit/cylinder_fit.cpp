@@ -131,9 +131,9 @@ class JointFit {
       found_scale = found;
       const double shrunk =
           std::clamp(std::max(found, 0.75 * scale), smallest_sigma, std::max(options_.max_sigma, 0.75 * scale));
-      const bool settled = std::abs(shrunk - scale) < 1e-3 * scale;
+      const bool settled = std::abs(shrunk - scale) < options_.still_scale * scale;
       scale = shrunk;
-      if (settled && (!moved || step_norm < 5e-6)) break;
+      if (settled && (!moved || step_norm < options_.still_m)) break;
     }
     return c.radius > 0.004 && std::abs(c.slope_x) < 1 && std::abs(c.slope_y) < 1;
   }

@@ -60,7 +60,8 @@ struct CylinderFitOptions {
   DriftPrior drift;
   RangeOffsetPrior range_offset;                 // along rays
   double taper_mean = -0.005, taper_sd = 0.010;  // prior, metres of radius per metre
-  std::stop_token cancel;                        // once asked for there is no fit
+  double still_m = 5e-6, still_scale = 1e-3;  // what a step moves the fit by at its end: parameters, share of the scale
+  std::stop_token cancel;                     // once asked for there is no fit
 };
 
 // The data on the view offsets with all other parameters free: log likelihood = target . d - d . information d / 2 for

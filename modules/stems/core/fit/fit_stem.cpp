@@ -25,6 +25,8 @@ namespace {
 // Beyond this many points the bark, not their number, limits the fit; they are sorted by place, so that leaving
 // out every n-th is an even choice. A first look tells what stems share, and needs fewer.
 constexpr std::size_t max_fit_points = 8000, max_first_points = 2500;
+// A first look need not be as still either: what it says is rounded by what stems share.
+constexpr double first_still_m = 1e-4, first_still_scale = 5e-3;
 // Of these some lie off the sections that are used, and the sections want points of their own.
 constexpr std::size_t max_gathered = 40000, max_first_gathered = 10000;
 
@@ -122,6 +124,7 @@ class StemFitter {
 
   // The axes of the stem depend on its lean and on the ground at its base: a first fit finds these.
   StemFitResult first() {
+    first_look_ = true;
     AxisLine axis{Eigen::Vector3d(candidate_.x, candidate_.y, candidate_.z),
                   Eigen::Vector3d(candidate_.slope_x, candidate_.slope_y, 1).normalized(), candidate_.radius,
                   candidate_.taper};
@@ -260,6 +263,7 @@ class StemFitter {
     o.drift = priors_.drift;
     o.ray_gate = options_.ray_gate;
     o.cancel = run_.cancel;
+    if (first_look_) o.still_m = first_still_m, o.still_scale = first_still_scale;
     return o;
   }
 
@@ -295,6 +299,7 @@ class StemFitter {
   const MeasureOptions& options_;
   Bark bark_;
   const Run& run_;
+  bool first_look_ = false;
 };
 
 Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLine& axis) const {
