@@ -25,6 +25,7 @@ that are made here are deleted after use unless --keep.
 """
 
 import argparse
+import concurrent.futures
 import csv
 import datetime
 import json
@@ -36,6 +37,7 @@ import signal
 import statistics
 import subprocess
 import sys
+import threading
 import time
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[3]
@@ -122,7 +124,7 @@ ABLATION = {
 
 
 class OutOfTime(Exception):
-    """The time that was given is up: print what there is."""
+    """The time that was given is up, or the call was stopped: print what there is."""
 
 
 class Clock:
@@ -133,15 +135,50 @@ class Clock:
         self.longest_s = 0
 
     def begin(self):
-        self.begun = time.monotonic()
-        if self.begun + self.longest_s > self.end:
+        """When a run began."""
+        now = time.monotonic()
+        if now + self.longest_s > self.end:
             raise OutOfTime
+        return now
 
-    def done(self):
-        self.longest_s = max(self.longest_s, time.monotonic() - self.begun)
+    def done(self, begun):
+        self.longest_s = max(self.longest_s, time.monotonic() - begun)
+
+
+class Programs:
+    """Those that run, to be stopped together."""
+
+    def __init__(self):
+        self.running = set()
+        self.stopped = False
+
+    def run(self, words, out):
+        if self.stopped:
+            raise OutOfTime
+        process = subprocess.Popen([str(w) for w in words], stdout=out, stderr=subprocess.STDOUT)
+        self.running.add(process)
+        code = process.wait()
+        self.running.discard(process)
+        if self.stopped:  # its results are those of a part of the walk
+            raise OutOfTime
+        return code
+
+    def stop(self):
+        self.stopped = True
+        for process in list(self.running):
+            process.kill()
+
+
+PROGRAMS = Programs()
+
+
+def interrupt(*_):
+    raise KeyboardInterrupt  # also where the shell has SIGINT ignored
 
 
 JUDGED = "## Where the ordering comes from"  # heading on a page; what stands from there on is written by hand
+
+SIMULATION = threading.Lock()  # takes all processors, and its scan serves several runs
 
 ENDED_EARLY = 4  # exit code of a run whose track was lost: its results stand, but are not of the whole walk
 
@@ -149,7 +186,7 @@ ENDED_EARLY = 4  # exit code of a run whose track was lost: its results stand, b
 def command(words, log, accepted=(0,)):
     """The exit code where it is one of those accepted, else None."""
     with open(log, "w") as out:
-        code = subprocess.run([str(w) for w in words], stdout=out, stderr=subprocess.STDOUT).returncode
+        code = PROGRAMS.run(words, out)
     if code in accepted:
         return code
     print(f"failed: {' '.join(map(str, words))}\n{log.read_text()[-2000:]}", file=sys.stderr)
@@ -182,11 +219,12 @@ def simulated(arguments, plot, seed):
     if arguments.scans and (arguments.scans / named / "trees.csv").exists():
         return arguments.scans / named
     folder = own_scan(arguments, plot, seed)
-    if not (folder / "trees.csv").exists():
-        shutil.rmtree(folder, ignore_errors=True)
-        if command([arguments.bole, "simulate", "--plot", plot, "--seed", seed, "--rotation-rate", arguments.rate, "--out", folder],
-                   arguments.work / "simulate.log") is None:
-            return None
+    with SIMULATION:
+        if not (folder / "trees.csv").exists():
+            shutil.rmtree(folder, ignore_errors=True)
+            words = [arguments.bole, "simulate", "--plot", plot, "--seed", seed, "--rotation-rate", arguments.rate, "--out", folder]
+            if command(words, arguments.work / "simulate.log") is None:
+                return None
     return folder
 
 
@@ -242,32 +280,43 @@ def figures(arguments, out, scan):
     return found
 
 
+# What the tables do not need takes a third of the time of a run.
+UNWRITTEN = {"report.cloud": "false", "report.figures": "false", "report.page": "false"}
+
+
+def kept_figures(arguments, plot, seed, name):
+    return arguments.work / f"{plot}-{seed}-{name.replace(' ', '_')}{at_rate(arguments)}.json"
+
+
 def measured(arguments, plot, seed, name, options, clock):
     """The figures of one run; None when it failed."""
-    kept = arguments.work / f"{plot}-{seed}-{name.replace(' ', '_')}{at_rate(arguments)}.json"
+    kept = kept_figures(arguments, plot, seed, name)
     if not kept.exists():
-        clock.begin()
+        begun = clock.begin()
         scan = simulated(arguments, plot, seed)
         if scan is None:
             return None
-        out = arguments.work / "run"
+        out = kept.with_suffix(".run")
         shutil.rmtree(out, ignore_errors=True)
         if name == "true":
             options = {"trajectory": scan / "trajectory.tum"}
         settings = {"scan.file": scan / "walk.pcap", "reference_trees.file": scan / "trees.csv",
-                    "reference_path.file": scan / "trajectory.tum", **{f"slam.{k}": v for k, v in options.items()}}
+                    "reference_path.file": scan / "trajectory.tum", **{f"slam.{k}": v for k, v in options.items()}, **UNWRITTEN}
         words = [arguments.bole, "run", REPOSITORY / "pipelines/forest_plot.json", "--out", out, "--no-cache"]
+        if arguments.jobs > 1:
+            words += ["--threads", max(1, len(os.sched_getaffinity(0)) // arguments.jobs)]
         for key, value in settings.items():
             words += ["--set", f"{key}={value}"]
         print(f"{plot}, seed {seed}, {arguments.rate} Hz: {name} ...", file=sys.stderr, flush=True)
-        begun = time.monotonic()
-        code = command(words, arguments.work / "run.log", (0, ENDED_EARLY))
+        run_begun = time.monotonic()
+        code = command(words, kept.with_suffix(".log"), (0, ENDED_EARLY))
         if code is None:
             return None
-        of_run = {"seconds": time.monotonic() - begun, "ended_early": code == ENDED_EARLY, **figures(arguments, out, scan)}
+        of_run = {"seconds": time.monotonic() - run_begun, "ended_early": code == ENDED_EARLY, **figures(arguments, out, scan)}
         write_whole(kept, json.dumps(of_run, indent=1))
         shutil.rmtree(out, ignore_errors=True)
-        clock.done()
+        kept.with_suffix(".log").unlink(missing_ok=True)
+        clock.done(begun)
     return json.loads(kept.read_text())
 
 
@@ -334,23 +383,19 @@ def main():
     parser.add_argument("--loop-radius", type=float, default=3, help="metres within which a revisit is right")
     parser.add_argument("--rate", type=int, choices=[5, 10], nargs="+", default=[10],
                         help="revolutions of the scanner per second: 10, or 5 as in the paper (0.1 deg between pulses), or both")
+    parser.add_argument("--jobs", type=int, default=1, metavar="N", help="runs at the same time, each with its share of the processors")
     parser.add_argument("--keep", action="store_true", help="keep the scans")
     parser.add_argument("--page", type=pathlib.Path, help="also write the tables into this page")
     arguments = parser.parse_args()
     arguments.work.mkdir(parents=True, exist_ok=True)
-    signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
+    signal.signal(signal.SIGTERM, interrupt)
 
     variants = {p: {"preset": p} for p in arguments.presets}
     for preset in arguments.ablation:
         for name, options in ABLATION[preset].items():
             variants[preset if not options else f"{preset}, {name}"] = {"preset": preset, **options}
     clock = Clock(arguments.budget)
-    of_rate = {}
-    left = 0
-    for rate in arguments.rate:
-        runs, not_run = all_runs(argparse.Namespace(**{**vars(arguments), "rate": rate}), variants, clock)
-        of_rate[rate] = runs
-        left += not_run
+    of_rate, left = all_runs(arguments, variants, clock)
     text = "\n".join(tables(arguments, rate, variants, whole(runs)) for rate, runs in of_rate.items())
     print(text)
     if left:
@@ -366,23 +411,34 @@ def whole(runs):
 
 
 def all_runs(arguments, variants, clock):
-    """The figures of all runs by plot and variant, at one rate, and how many runs are missing."""
-    runs = {(plot, name): [] for plot in arguments.plots for name in variants}
-    left = 0
+    """The figures of all runs by rate, plot and variant, and how many runs are missing."""
     # Seed by seed, so that a call that is cut short has all plots and presets of the first ones.
-    for seed in arguments.seeds:
-        for plot in arguments.plots:
-            for name, options in variants.items():
+    wanted = [(rate, plot, seed, name) for seed in arguments.seeds for plot in arguments.plots for rate in arguments.rate
+              for name in variants]
+    at = {rate: argparse.Namespace(**{**vars(arguments), "rate": rate}) for rate in arguments.rate}
+
+    def run(rate, plot, seed, name):
+        try:
+            return measured(at[rate], plot, seed, name, variants[name], clock)
+        finally:
+            if not arguments.keep and all(kept_figures(at[rate], plot, seed, n).exists() for n in variants):
+                shutil.rmtree(own_scan(at[rate], plot, seed), ignore_errors=True)
+
+    of_rate = {rate: {(plot, name): [] for plot in arguments.plots for name in variants} for rate in arguments.rate}
+    left = 0
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        running = [pool.submit(run, *which) for which in wanted]
+        for (rate, plot, _, name), future in zip(wanted, running):
+            while True:
                 try:
-                    runs[plot, name].append(measured(arguments, plot, seed, name, options, clock))
+                    of_rate[rate][plot, name].append(future.result())
                 except OutOfTime:
                     left += 1
                 except KeyboardInterrupt:
-                    clock.end = 0  # from now on only what is there
-                    left += 1
-            if not arguments.keep and left == 0:
-                shutil.rmtree(own_scan(arguments, plot, seed), ignore_errors=True)
-    return runs, left
+                    PROGRAMS.stop()  # from now on only what is there
+                    continue
+                break
+    return of_rate, left
 
 
 def page_text(arguments, variants, of_rate, text):
