@@ -439,6 +439,10 @@
             <translation>列“%1”为文本</translation>
         </message>
         <message>
+            <source>numbers</source>
+            <translation>数</translation>
+        </message>
+        <message>
             <source>column '%1' does not hold whole numbers</source>
             <translation>列“%1”不是整数</translation>
         </message>
@@ -482,16 +486,16 @@
             <translation>没有处理流程“%1”</translation>
         </message>
         <message>
-            <source>'%1' is a %2 (%3)</source>
-            <translation>“%1”是 %2（%3）</translation>
-        </message>
-        <message>
             <source>To survey it: bole survey %1 --out DIR</source>
             <translation>要调查它：bole survey %1 --out DIR</translation>
         </message>
         <message>
             <source>a pipeline document (JSON)</source>
             <translation>处理流程文档（JSON）</translation>
+        </message>
+        <message>
+            <source>'%1' is %2 (%3)</source>
+            <translation>“%1”是%2（%3）</translation>
         </message>
         <message>
             <source>'%1' is a folder without frames of a scan</source>
@@ -615,6 +619,10 @@
         <message>
             <source>%1 to %2 s</source>
             <translation>%1 至 %2 s</translation>
+        </message>
+        <message>
+            <source>empty</source>
+            <translation>空</translation>
         </message>
         <message>
             <source>%1 of %2 poses have a reference at their time (estimate %3, reference %4)</source>
@@ -791,6 +799,10 @@
         <message>
             <source>a reference trajectory is connected but no trajectory</source>
             <translation>连接了参照轨迹而没有连接轨迹</translation>
+        </message>
+        <message>
+            <source>both</source>
+            <translation>两者</translation>
         </message>
         <message>
             <source>%1 poses compared</source>
@@ -1108,6 +1120,10 @@
             <translation>经度不是数</translation>
         </message>
         <message>
+            <source>degrees</source>
+            <translation>以度计的值</translation>
+        </message>
+        <message>
             <source>3-degree zones 1 to 120 or 6-degree zones 1 to 60</source>
             <translation>3 度带的 1 至 120 带或 6 度带的 1 至 60 带</translation>
         </message>
@@ -1237,6 +1253,10 @@
         <message>
             <source>no points lie within band (%1 m) of the first ground surface</source>
             <translation>初始地面的 band（%1 m）范围内没有点</translation>
+        </message>
+        <message>
+            <source>some</source>
+            <translation>至少一些</translation>
         </message>
         <message>
             <source>Filling holes</source>
@@ -1965,6 +1985,46 @@
             <translation>射线从 %1 次扫描的位置发出。如果点是从别处测得的，请设置 scan_positions=none</translation>
         </message>
         <message>
+            <source>a scan</source>
+            <translation>扫描</translation>
+        </message>
+        <message>
+            <source>a point cloud</source>
+            <translation>点云</translation>
+        </message>
+        <message>
+            <source>a table</source>
+            <translation>表</translation>
+        </message>
+        <message>
+            <source>a track</source>
+            <translation>GNSS 轨迹</translation>
+        </message>
+        <message>
+            <source>a trajectory</source>
+            <translation>轨迹</translation>
+        </message>
+        <message>
+            <source>a folder of views</source>
+            <translation>视图文件夹</translation>
+        </message>
+        <message>
+            <source>a compressed archive</source>
+            <translation>压缩包</translation>
+        </message>
+        <message>
+            <source>Unpack it first</source>
+            <translation>请先解压</translation>
+        </message>
+        <message>
+            <source>an HDF5 file</source>
+            <translation>HDF5 文件</translation>
+        </message>
+        <message>
+            <source>Export it as LAS or PLY</source>
+            <translation>请导出为 LAS 或 PLY</translation>
+        </message>
+        <message>
             <source>the coordinates are longitude and latitude, not metres: project the cloud first</source>
             <translation>坐标是经度和纬度，不是米：请先投影点云</translation>
         </message>
@@ -2127,6 +2187,38 @@
         <message>
             <source>its loop closures are not drawn</source>
             <translation>不绘制其回环</translation>
+        </message>
+        <message>
+            <source>Ouster capture</source>
+            <translation>Ouster 抓包文件</translation>
+        </message>
+        <message>
+            <source>Hesai capture</source>
+            <translation>Hesai 抓包文件</translation>
+        </message>
+        <message>
+            <source>Velodyne capture</source>
+            <translation>Velodyne 抓包文件</translation>
+        </message>
+        <message>
+            <source>ROS 1 bag</source>
+            <translation>ROS 1 bag 文件</translation>
+        </message>
+        <message>
+            <source>ROS 2 bag</source>
+            <translation>ROS 2 bag 文件</translation>
+        </message>
+        <message>
+            <source>folder of a ROS 2 bag</source>
+            <translation>ROS 2 bag 文件夹</translation>
+        </message>
+        <message>
+            <source>folder of frames</source>
+            <translation>帧文件夹</translation>
+        </message>
+        <message>
+            <source>KITTI frame</source>
+            <translation>KITTI 帧</translation>
         </message>
         <message>
             <source>%1 IP fragment</source>
@@ -3789,6 +3881,10 @@
         <message>
             <source>%1 poses of the sensor</source>
             <translation>传感器有 %1 个位姿</translation>
+        </message>
+        <message>
+            <source>one</source>
+            <translation>一个</translation>
         </message>
         <message>
             <source>the pose of the sensor is not finite</source>
