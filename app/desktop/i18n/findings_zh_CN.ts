@@ -1481,8 +1481,36 @@
     <context>
         <name>io</name>
         <message>
+            <source>the content of '%1' is compressed again</source>
+            <translation>“%1”的内容被重复压缩</translation>
+        </message>
+        <message>
+            <source>a recording compressed once</source>
+            <translation>只压缩一次的记录</translation>
+        </message>
+        <message>
+            <source>Decompress it with zstd -d</source>
+            <translation>请用 zstd -d 解压</translation>
+        </message>
+        <message>
+            <source>topic %1 has no messages</source>
+            <translation>话题 %1 没有消息</translation>
+        </message>
+        <message>
+            <source>messages of %1</source>
+            <translation>%1 的消息</translation>
+        </message>
+        <message>
             <source>the recording does not say which sensor it is from: beam and range noise are not known. Name it with the option sensor</source>
             <translation>记录没有说明来自哪种传感器：光束和测距噪声未知。请用选项 sensor 指定</translation>
+        </message>
+        <message>
+            <source>no message of topic %1 holds a point within min_range and max_range</source>
+            <translation>话题 %1 没有一条消息含有 min_range 与 max_range 之间的点</translation>
+        </message>
+        <message>
+            <source>no message of topic %1 holds a point within min_range and max_range (%2)</source>
+            <translation>话题 %1 没有一条消息含有 min_range 与 max_range 之间的点（%2）</translation>
         </message>
         <message>
             <source>the points have no times: they follow from the order of the points, evenly over the time between two messages, from the stamp of the message</source>
@@ -1511,6 +1539,14 @@
         <message>
             <source>%1 of %2 messages that were looked at hold fewer points than they declare</source>
             <translation>检查的 %2 条消息中有 %1 条所含的点少于其声明</translation>
+        </message>
+        <message>
+            <source>frame %1 of '%2'</source>
+            <translation>“%2”的第 %1 帧</translation>
+        </message>
+        <message>
+            <source>0 to %1</source>
+            <translation>0 至 %1</translation>
         </message>
         <message>
             <source>%1: %2 frame of %3, %4</source>
@@ -1545,8 +1581,24 @@
             <translation>%1 个文件未列在 metadata.yaml 中，已舍去</translation>
         </message>
         <message>
+            <source>the folder '%1' holds no recording of ROS 2</source>
+            <translation>文件夹“%1”中没有 ROS 2 的记录</translation>
+        </message>
+        <message>
+            <source>.db3 or .mcap files</source>
+            <translation>.db3 或 .mcap 文件</translation>
+        </message>
+        <message>
             <source>'%1' cannot be read: %2</source>
             <translation>无法读取“%1”：%2</translation>
+        </message>
+        <message>
+            <source>no file of '%1' can be read: %2</source>
+            <translation>“%1”中没有一个文件可以读取：%2</translation>
+        </message>
+        <message>
+            <source>a recording of ROS 2</source>
+            <translation>ROS 2 的记录</translation>
         </message>
         <message>
             <source>there is no metadata.yaml: the %1 files are read as one recording, in order of time</source>
@@ -1555,6 +1607,30 @@
         <message>
             <source>%1 of %2 messages that metadata.yaml declares are missing</source>
             <translation>metadata.yaml 声明的 %2 条消息中缺少 %1 条</translation>
+        </message>
+        <message>
+            <source>the files in '%1' were recorded hours apart, and there is no metadata.yaml</source>
+            <translation>“%1”中的文件记录时间相差数小时，且没有 metadata.yaml</translation>
+        </message>
+        <message>
+            <source>a folder with the files of one recording</source>
+            <translation>只含同一次记录的文件的文件夹</translation>
+        </message>
+        <message>
+            <source>Open each file by itself</source>
+            <translation>请单独打开每个文件</translation>
+        </message>
+        <message>
+            <source>topic %1 holds no measurement that can be read (no message)</source>
+            <translation>话题 %1 没有可以读取的测量（没有消息）</translation>
+        </message>
+        <message>
+            <source>topic %1 holds no measurement that can be read (values that are no numbers)</source>
+            <translation>话题 %1 没有可以读取的测量（数值不是数）</translation>
+        </message>
+        <message>
+            <source>topic %1 holds no measurement that can be read (%2)</source>
+            <translation>话题 %1 没有可以读取的测量（%2）</translation>
         </message>
         <message>
             <source>%1 of %2 messages of %3 that were looked at cannot be used (%4): such messages are gaps</source>
@@ -1585,8 +1661,32 @@
             <translation>%1 的加速度约为 %2 m/s2，而不是 9.8：缺少重力，或单位不同</translation>
         </message>
         <message>
+            <source>the bag holds packets of an Ouster sensor, and the option sensor is '%1'</source>
+            <translation>bag 文件含有 Ouster 传感器的数据包，而选项 sensor 为“%1”</translation>
+        </message>
+        <message>
+            <source>the JSON file of the sensor, with its beams and its packet layout</source>
+            <translation>传感器的 JSON 文件，含有其光束和数据包格式</translation>
+        </message>
+        <message>
             <source>topic %1</source>
             <translation>话题 %1</translation>
+        </message>
+        <message>
+            <source>the bag has no topic 'metadata' with the beams of the Ouster sensor, and there is no JSON file of a sensor beside it</source>
+            <translation>bag 文件没有给出 Ouster 传感器光束的话题“metadata”，其旁也没有传感器的 JSON 文件</translation>
+        </message>
+        <message>
+            <source>the bag has no topic 'metadata' with the beams of the Ouster sensor, and there are %1 JSON files of a sensor beside it</source>
+            <translation>bag 文件没有给出 Ouster 传感器光束的话题“metadata”，其旁有 %1 个传感器的 JSON 文件</translation>
+        </message>
+        <message>
+            <source>one JSON file of the sensor</source>
+            <translation>一个传感器的 JSON 文件</translation>
+        </message>
+        <message>
+            <source>Name it with the option sensor</source>
+            <translation>请用选项 sensor 指定</translation>
         </message>
         <message>
             <source>%1 messages of packets cannot be read (%2)</source>
@@ -1613,6 +1713,86 @@
             <translation>记录的 %1 % 无法读取</translation>
         </message>
         <message>
+            <source>no topics</source>
+            <translation>没有话题</translation>
+        </message>
+        <message>
+            <source>the recording has no topic '%1'</source>
+            <translation>记录没有话题“%1”</translation>
+        </message>
+        <message>
+            <source>one of %1</source>
+            <translation>下列之一：%1</translation>
+        </message>
+        <message>
+            <source>Set topic=%1</source>
+            <translation>请设置 topic=%1</translation>
+        </message>
+        <message>
+            <source>Set imu=%1</source>
+            <translation>请设置 imu=%1</translation>
+        </message>
+        <message>
+            <source>topic %1 holds %2 messages of type %3</source>
+            <translation>话题 %1 含有 %2 条类型为 %3 的消息</translation>
+        </message>
+        <message>
+            <source>point clouds or packets of a scanner: %1</source>
+            <translation>点云或扫描仪的数据包：%1</translation>
+        </message>
+        <message>
+            <source>the recording has more than one scan: %1</source>
+            <translation>记录含有不止一组扫描：%1</translation>
+        </message>
+        <message>
+            <source>one of them</source>
+            <translation>其中之一</translation>
+        </message>
+        <message>
+            <source>Set topic=%1 or another one</source>
+            <translation>请设置 topic=%1 或其他话题</translation>
+        </message>
+        <message>
+            <source>the recording holds no scan: %1</source>
+            <translation>记录中没有扫描：%1</translation>
+        </message>
+        <message>
+            <source>a topic with messages of type %1</source>
+            <translation>消息类型为 %1 的话题</translation>
+        </message>
+        <message>
+            <source>topic %1 holds messages of type %2</source>
+            <translation>话题 %1 含有类型为 %2 的消息</translation>
+        </message>
+        <message>
+            <source>measurements of an inertial unit: %1</source>
+            <translation>惯性单元的测量：%1</translation>
+        </message>
+        <message>
+            <source>a compressed message of '%1' is damaged</source>
+            <translation>“%1”的一条压缩消息已损坏</translation>
+        </message>
+        <message>
+            <source>a whole zstd frame</source>
+            <translation>完整的 zstd 帧</translation>
+        </message>
+        <message>
+            <source>'%1' is no MCAP file</source>
+            <translation>“%1”不是 MCAP 文件</translation>
+        </message>
+        <message>
+            <source>an MCAP file</source>
+            <translation>MCAP 文件</translation>
+        </message>
+        <message>
+            <source>'%1' is an MCAP file of another version</source>
+            <translation>“%1”是其他版本的 MCAP 文件</translation>
+        </message>
+        <message>
+            <source>MCAP version 0</source>
+            <translation>MCAP 版本 0</translation>
+        </message>
+        <message>
             <source>the file has no usable summary (not closed, or cut off): its records were gone through</source>
             <translation>文件没有可用的摘要（未关闭或被截断）：已逐条查找其记录</translation>
         </message>
@@ -1637,6 +1817,18 @@
             <translation>话题 %1 有 %2 条消息，而文件声明有 %3 条</translation>
         </message>
         <message>
+            <source>a message of '%1' cannot be read: its chunk is damaged</source>
+            <translation>无法读取“%1”的一条消息：其数据块已损坏</translation>
+        </message>
+        <message>
+            <source>a whole chunk</source>
+            <translation>完整的数据块</translation>
+        </message>
+        <message>
+            <source>Copy the file again from where it was recorded</source>
+            <translation>请从记录处重新复制该文件</translation>
+        </message>
+        <message>
             <source>%1 messages of %2 are there twice: each is read once</source>
             <translation>%2 的 %1 条消息重复：每条只读一次</translation>
         </message>
@@ -1647,6 +1839,62 @@
         <message>
             <source>about %1 messages of %2 are missing between the %3 that were recorded: the scan has gaps in time</source>
             <translation>在记录的 %3 条消息之间，%2 约缺少 %1 条：扫描在时间上有间断</translation>
+        </message>
+        <message>
+            <source>the messages are not serialised by ROS</source>
+            <translation>消息不是由 ROS 序列化的</translation>
+        </message>
+        <message>
+            <source>ROS 1 or CDR</source>
+            <translation>ROS 1 或 CDR</translation>
+        </message>
+        <message>
+            <source>the message is serialised in another way (%1)</source>
+            <translation>消息的序列化方式不同（%1）</translation>
+        </message>
+        <message>
+            <source>plain CDR</source>
+            <translation>普通 CDR</translation>
+        </message>
+        <message>
+            <source>Record it again with the middleware's standard serialisation, or convert it with ros2 bag convert</source>
+            <translation>请用中间件的标准序列化方式重新记录，或用 ros2 bag convert 转换</translation>
+        </message>
+        <message>
+            <source>the message is cut off</source>
+            <translation>消息被截断</translation>
+        </message>
+        <message>
+            <source>a whole message</source>
+            <translation>完整的消息</translation>
+        </message>
+        <message>
+            <source>the clouds have the fields none</source>
+            <translation>点云没有字段</translation>
+        </message>
+        <message>
+            <source>the clouds have the fields %1</source>
+            <translation>点云的字段为 %1</translation>
+        </message>
+        <message>
+            <source>fields x, y and z</source>
+            <translation>字段 x、y 和 z</translation>
+        </message>
+        <message>
+            <source>'%1' is a bag of version '%2'</source>
+            <translation>“%1”是版本“%2”的 bag 文件</translation>
+        </message>
+        <message>
+            <source>'%1' is no ROS 1 bag</source>
+            <translation>“%1”不是 ROS 1 的 bag 文件</translation>
+        </message>
+        <message>
+            <source>a bag of version 2.0</source>
+            <translation>版本 2.0 的 bag 文件</translation>
+        </message>
+        <message>
+            <source>Convert it with rosbag migrate</source>
+            <translation>请用 rosbag migrate 转换</translation>
         </message>
         <message>
             <source>the bag was not closed and has no index: its records were gone through</source>
@@ -1673,16 +1921,80 @@
             <translation>一个数据块有 %2 的 %1 条消息，而 bag 文件声明有 %3 条</translation>
         </message>
         <message>
+            <source>Copy the bag again from where it was recorded</source>
+            <translation>请从记录处重新复制该 bag 文件</translation>
+        </message>
+        <message>
+            <source>the scratch file for a compressed recording cannot be written</source>
+            <translation>无法写出压缩记录的临时文件</translation>
+        </message>
+        <message>
+            <source>room on the disk</source>
+            <translation>磁盘空间</translation>
+        </message>
+        <message>
+            <source>the content of '%1' has more than %2 MB, and the disk of '%3' has %4 MB left</source>
+            <translation>“%1”的内容超过 %2 MB，而“%3”所在磁盘只剩 %4 MB</translation>
+        </message>
+        <message>
+            <source>room on the disk for the whole content, and %1 MB more</source>
+            <translation>可容纳全部内容的磁盘空间，另加 %1 MB</translation>
+        </message>
+        <message>
+            <source>there is no folder for the content of '%1'</source>
+            <translation>没有可存放“%1”内容的文件夹</translation>
+        </message>
+        <message>
             <source>decompressing %1</source>
             <translation>解压 %1</translation>
+        </message>
+        <message>
+            <source>'%1' holds nothing that can be decompressed</source>
+            <translation>“%1”中没有可以解压的内容</translation>
+        </message>
+        <message>
+            <source>a whole zstd file</source>
+            <translation>完整的 zstd 文件</translation>
         </message>
         <message>
             <source>the log '%1-wal' cannot be read: its messages are missing. Copy the recording to a folder that may be written to</source>
             <translation>无法读取日志“%1-wal”：其中的消息缺失。请将记录复制到可写的文件夹</translation>
         </message>
         <message>
+            <source>'%1' cannot be opened: %2</source>
+            <translation>无法打开“%1”：%2</translation>
+        </message>
+        <message>
+            <source>an SQLite database</source>
+            <translation>SQLite 数据库</translation>
+        </message>
+        <message>
+            <source>Copy it to a folder of your own that may be read</source>
+            <translation>请将其复制到自己可读的文件夹</translation>
+        </message>
+        <message>
+            <source>'%1' is no SQLite database</source>
+            <translation>“%1”不是 SQLite 数据库</translation>
+        </message>
+        <message>
+            <source>'%1' is no recording of ROS 2 (%2)</source>
+            <translation>“%1”不是 ROS 2 的记录（%2）</translation>
+        </message>
+        <message>
+            <source>a database with the tables topics and messages</source>
+            <translation>含有表 topics 和 messages 的数据库</translation>
+        </message>
+        <message>
             <source>the database is cut off or damaged (%1): %2 messages are read</source>
             <translation>数据库被截断或损坏（%1）：读取 %2 条消息</translation>
+        </message>
+        <message>
+            <source>a message of '%1' cannot be read: %2</source>
+            <translation>无法读取“%1”的一条消息：%2</translation>
+        </message>
+        <message>
+            <source>a whole database</source>
+            <translation>完整的数据库</translation>
         </message>
         <message>
             <source>the clock of the points differs from that of the messages by %1 s: points get the times of the messages' clock, with the start of the sweep at the stamp</source>
@@ -1713,8 +2025,52 @@
             <translation>消息的时间基准与其时间戳相差达 %1 s：点的时间自时间戳起算</translation>
         </message>
         <message>
+            <source>a file that exists and may be read</source>
+            <translation>存在且可读的文件</translation>
+        </message>
+        <message>
+            <source>'%1' is not a file</source>
+            <translation>“%1”不是文件</translation>
+        </message>
+        <message>
+            <source>'%1' cannot be mapped into memory: %2</source>
+            <translation>无法将“%1”映射到内存：%2</translation>
+        </message>
+        <message>
             <source>x %1 to %2, y %3 to %4, z %5 to %6</source>
             <translation>x %1 至 %2，y %3 至 %4，z %5 至 %6</translation>
+        </message>
+        <message>
+            <source>option bounds is '%1'</source>
+            <translation>选项 bounds 为“%1”</translation>
+        </message>
+        <message>
+            <source>xmin,ymin,xmax,ymax or xmin,ymin,zmin,xmax,ymax,zmax, in the coordinates of the file</source>
+            <translation>按文件坐标给出的 xmin,ymin,xmax,ymax 或 xmin,ymin,zmin,xmax,ymax,zmax</translation>
+        </message>
+        <message>
+            <source>option bounds is '%1': a smallest coordinate is above the largest</source>
+            <translation>选项 bounds 为“%1”：最小坐标大于最大坐标</translation>
+        </message>
+        <message>
+            <source>, z %1 to %2</source>
+            <translation>，z %1 至 %2</translation>
+        </message>
+        <message>
+            <source>x %1 to %2, y %3 to %4</source>
+            <translation>x %1 至 %2，y %3 至 %4</translation>
+        </message>
+        <message>
+            <source>no point of the file lies within the option bounds (%1)</source>
+            <translation>文件中没有点在选项 bounds 之内（%1）</translation>
+        </message>
+        <message>
+            <source>bounds that meet those of the file: %1</source>
+            <translation>与文件范围相交的范围：%1</translation>
+        </message>
+        <message>
+            <source>Give bounds in the coordinates of the file</source>
+            <translation>请按文件的坐标给出范围</translation>
         </message>
         <message>
             <source>reading points</source>
@@ -1723,6 +2079,26 @@
         <message>
             <source>the file is cut off: the header declares %1 points, %2 are present and were read</source>
             <translation>文件被截断：文件头声明 %1 个点，现有并已读取 %2 个</translation>
+        </message>
+        <message>
+            <source>the points have no x</source>
+            <translation>点没有 x</translation>
+        </message>
+        <message>
+            <source>the points have no y</source>
+            <translation>点没有 y</translation>
+        </message>
+        <message>
+            <source>the points have no z</source>
+            <translation>点没有 z</translation>
+        </message>
+        <message>
+            <source>There are no fields</source>
+            <translation>没有任何字段</translation>
+        </message>
+        <message>
+            <source>There are: %1</source>
+            <translation>现有字段：%1</translation>
         </message>
         <message>
             <source>%1 points dropped: their coordinates are not numbers</source>
@@ -1993,6 +2369,518 @@
             <translation>点云</translation>
         </message>
         <message>
+            <source>%1 of %2 points lie more than 100 000 km from the origin: these are no coordinates in metres</source>
+            <translation>%2 个点中有 %1 个距原点超过 100 000 km：这不是以米为单位的坐标</translation>
+        </message>
+        <message>
+            <source>Is the file damaged or of another kind? Else set the option unit, or the columns of a text file</source>
+            <translation>文件是否已损坏或属于其他类型？否则请设置选项 unit，或文本文件的列</translation>
+        </message>
+        <message>
+            <source>no point cloud is named</source>
+            <translation>没有指定点云</translation>
+        </message>
+        <message>
+            <source>Set the option file</source>
+            <translation>请设置选项 file</translation>
+        </message>
+        <message>
+            <source>a point cloud file</source>
+            <translation>点云文件</translation>
+        </message>
+        <message>
+            <source>Read it with the stage %1</source>
+            <translation>请用步骤 %1 读取</translation>
+        </message>
+        <message>
+            <source>PCD field '%1' has type %2 of %3 bytes</source>
+            <translation>PCD 字段“%1”的类型为 %3 字节的 %2</translation>
+        </message>
+        <message>
+            <source>F of 4 or 8, I or U of 1, 2, 4 or 8 bytes</source>
+            <translation>4 或 8 字节的 F，1、2、4 或 8 字节的 I 或 U</translation>
+        </message>
+        <message>
+            <source>PCD header: %1 has '%2'</source>
+            <translation>PCD 文件头：%1 为“%2”</translation>
+        </message>
+        <message>
+            <source>a whole number</source>
+            <translation>整数</translation>
+        </message>
+        <message>
+            <source>PCD header: %1 has %2 entries</source>
+            <translation>PCD 文件头：%1 有 %2 项</translation>
+        </message>
+        <message>
+            <source>%1, one per field</source>
+            <translation>%1 项，每个字段一项</translation>
+        </message>
+        <message>
+            <source>PCD header: %1 fields</source>
+            <translation>PCD 文件头：%1 个字段</translation>
+        </message>
+        <message>
+            <source>the PCD header has no line DATA after %1 lines</source>
+            <translation>PCD 文件头在 %1 行之后仍没有 DATA 行</translation>
+        </message>
+        <message>
+            <source>DATA ascii, binary or binary_compressed</source>
+            <translation>DATA ascii、binary 或 binary_compressed</translation>
+        </message>
+        <message>
+            <source>the PCD header names %1 values per point</source>
+            <translation>PCD 文件头声明每点 %1 个值</translation>
+        </message>
+        <message>
+            <source>the compressed PCD data has %1 bytes</source>
+            <translation>压缩的 PCD 数据有 %1 字节</translation>
+        </message>
+        <message>
+            <source>two sizes of 4 bytes and the data</source>
+            <translation>两个 4 字节的长度和数据</translation>
+        </message>
+        <message>
+            <source>the file is cut off: compressed PCD data of %1 bytes, %2 are there</source>
+            <translation>文件被截断：压缩的 PCD 数据有 %1 字节，实有 %2 字节</translation>
+        </message>
+        <message>
+            <source>the whole file</source>
+            <translation>完整的文件</translation>
+        </message>
+        <message>
+            <source>Compressed PCD data cannot be read in part: copy the file again</source>
+            <translation>压缩的 PCD 数据不能部分读取：请重新复制文件</translation>
+        </message>
+        <message>
+            <source>compressed PCD data of %1 bytes for %2 points</source>
+            <translation>%2 个点的压缩 PCD 数据有 %1 字节</translation>
+        </message>
+        <message>
+            <source>%1 bytes per point</source>
+            <translation>每点 %1 字节</translation>
+        </message>
+        <message>
+            <source>the compressed PCD data is damaged: %1</source>
+            <translation>压缩的 PCD 数据已损坏：%1</translation>
+        </message>
+        <message>
+            <source>LZF data</source>
+            <translation>LZF 数据</translation>
+        </message>
+        <message>
+            <source>it claims to unpack to more than it can</source>
+            <translation>声明解压后的大小不可能达到</translation>
+        </message>
+        <message>
+            <source>a run goes beyond the end</source>
+            <translation>一段数据超出末尾</translation>
+        </message>
+        <message>
+            <source>it ends within a length</source>
+            <translation>在长度字段中间结束</translation>
+        </message>
+        <message>
+            <source>it ends within a reference</source>
+            <translation>在引用中间结束</translation>
+        </message>
+        <message>
+            <source>a reference goes beyond the data</source>
+            <translation>引用超出数据</translation>
+        </message>
+        <message>
+            <source>it unpacks to too few bytes</source>
+            <translation>解压后字节太少</translation>
+        </message>
+        <message>
+            <source>the PCD header names no fields</source>
+            <translation>PCD 文件头没有指定字段</translation>
+        </message>
+        <message>
+            <source>a line FIELDS x y z</source>
+            <translation>一行 FIELDS x y z</translation>
+        </message>
+        <message>
+            <source>PCD data is '%1'</source>
+            <translation>PCD 数据为“%1”</translation>
+        </message>
+        <message>
+            <source>ascii, binary or binary_compressed</source>
+            <translation>ascii、binary 或 binary_compressed</translation>
+        </message>
+        <message>
+            <source>PLY header line %1: type '%2'</source>
+            <translation>PLY 文件头第 %1 行：类型“%2”</translation>
+        </message>
+        <message>
+            <source>char, uchar, short, ushort, int, uint, float or double</source>
+            <translation>char、uchar、short、ushort、int、uint、float 或 double</translation>
+        </message>
+        <message>
+            <source>PLY header line %1 is '%2'</source>
+            <translation>PLY 文件头第 %1 行为“%2”</translation>
+        </message>
+        <message>
+            <source>the PLY header has no line format</source>
+            <translation>PLY 文件头没有 format 行</translation>
+        </message>
+        <message>
+            <source>format ascii, binary_little_endian or binary_big_endian 1.0</source>
+            <translation>format 为 ascii、binary_little_endian 或 binary_big_endian 1.0</translation>
+        </message>
+        <message>
+            <source>element NAME COUNT</source>
+            <translation>一行 element NAME COUNT</translation>
+        </message>
+        <message>
+            <source>at most %1 properties</source>
+            <translation>至多 %1 个属性</translation>
+        </message>
+        <message>
+            <source>property list COUNT_TYPE TYPE NAME</source>
+            <translation>一行 property list COUNT_TYPE TYPE NAME</translation>
+        </message>
+        <message>
+            <source>format, element, property, comment or end_header</source>
+            <translation>format、element、property、comment 或 end_header</translation>
+        </message>
+        <message>
+            <source>the PLY header does not end after %1 lines</source>
+            <translation>PLY 文件头在 %1 行之后仍未结束</translation>
+        </message>
+        <message>
+            <source>a line end_header</source>
+            <translation>一行 end_header</translation>
+        </message>
+        <message>
+            <source>the file is cut off in the PLY element '%1', before the points</source>
+            <translation>文件在点之前的 PLY 元素“%1”中被截断</translation>
+        </message>
+        <message>
+            <source>the PLY format is '%1'</source>
+            <translation>PLY 格式为“%1”</translation>
+        </message>
+        <message>
+            <source>ascii, binary_little_endian or binary_big_endian</source>
+            <translation>ascii、binary_little_endian 或 binary_big_endian</translation>
+        </message>
+        <message>
+            <source>PTX line %1 is '%2'</source>
+            <translation>PTX 第 %1 行为“%2”</translation>
+        </message>
+        <message>
+            <source>the PTX file ends after line %1</source>
+            <translation>PTX 文件在第 %1 行之后结束</translation>
+        </message>
+        <message>
+            <source>the number of rows</source>
+            <translation>行数</translation>
+        </message>
+        <message>
+            <source>the PTX grid has %1 columns and %2 rows</source>
+            <translation>PTX 格网有 %1 列和 %2 行</translation>
+        </message>
+        <message>
+            <source>the scanner's position and axes, three numbers</source>
+            <translation>扫描仪的位置和坐标轴，各三个数</translation>
+        </message>
+        <message>
+            <source>a row of the 4 by 4 transformation</source>
+            <translation>4 x 4 变换矩阵的一行</translation>
+        </message>
+        <message>
+            <source>the number of columns of a scan</source>
+            <translation>一次扫描的列数</translation>
+        </message>
+        <message>
+            <source>x y z, with or without intensity and red green blue</source>
+            <translation>x y z，可带强度和红绿蓝</translation>
+        </message>
+        <message>
+            <source>the PTX file holds no points</source>
+            <translation>PTX 文件中没有点</translation>
+        </message>
+        <message>
+            <source>lines x y z intensity below the header of a scan</source>
+            <translation>扫描文件头之后的 x y z 强度各行</translation>
+        </message>
+        <message>
+            <source>the lines are poses of a trajectory</source>
+            <translation>各行是轨迹的位姿</translation>
+        </message>
+        <message>
+            <source>Read it with the stage io.read_trajectory, or name the columns with the option columns</source>
+            <translation>请用步骤 io.read_trajectory 读取，或用选项 columns 指定各列</translation>
+        </message>
+        <message>
+            <source>the first column counts the rows</source>
+            <translation>第一列是行号</translation>
+        </message>
+        <message>
+            <source>x, y and z</source>
+            <translation>列 x、y 和 z</translation>
+        </message>
+        <message>
+            <source>Name the columns with the option columns, for instance "_ x y z"</source>
+            <translation>请用选项 columns 指定各列，例如 "_ x y z"</translation>
+        </message>
+        <message>
+            <source>the numbers have no decimal points, and every second one has the same number of digits</source>
+            <translation>各数没有小数点，且每隔一个数的位数相同</translation>
+        </message>
+        <message>
+            <source>numbers that can be told apart: decimal commas do not go with commas between the columns</source>
+            <translation>可以区分的数：小数逗号不能与列间的逗号并用</translation>
+        </message>
+        <message>
+            <source>Write the file with points or with semicolons between the columns; if the commas do separate columns, set the option delimiter to comma</source>
+            <translation>请用小数点书写文件，或用分号分隔各列；如果逗号确实分隔各列，请将选项 delimiter 设为 comma</translation>
+        </message>
+        <message>
+            <source>line %1 has %2 columns</source>
+            <translation>第 %1 行有 %2 列</translation>
+        </message>
+        <message>
+            <source>the header line '%1' does not name x, y and z</source>
+            <translation>标题行“%1”没有指定 x、y 和 z</translation>
+        </message>
+        <message>
+            <source>a header line with x, y and z</source>
+            <translation>含有 x、y 和 z 的标题行</translation>
+        </message>
+        <message>
+            <source>the file is empty</source>
+            <translation>文件为空</translation>
+        </message>
+        <message>
+            <source>points as text</source>
+            <translation>文本形式的点</translation>
+        </message>
+        <message>
+            <source>none of the first %1 lines holds three numbers</source>
+            <translation>前 %1 行中没有一行含有三个数</translation>
+        </message>
+        <message>
+            <source>lines with x, y and z</source>
+            <translation>含有 x、y 和 z 的各行</translation>
+        </message>
+        <message>
+            <source>If the points begin further down, set the option skip_lines</source>
+            <translation>如果点从更靠后处开始，请设置选项 skip_lines</translation>
+        </message>
+        <message>
+            <source>the option columns names %1 columns, the file has %2</source>
+            <translation>选项 columns 指定了 %1 列，文件有 %2 列</translation>
+        </message>
+        <message>
+            <source>line %1 has %2 fields</source>
+            <translation>第 %1 行有 %2 个字段</translation>
+        </message>
+        <message>
+            <source>%1, as the header or the first line has</source>
+            <translation>%1 个，与标题行或第一行相同</translation>
+        </message>
+        <message>
+            <source>If its numbers have decimal commas, write them with points or separate the columns by semicolons; else name the columns with the option columns</source>
+            <translation>如果数中有小数逗号，请改用小数点，或用分号分隔各列；否则请用选项 columns 指定各列</translation>
+        </message>
+        <message>
+            <source>Name the columns with the option columns</source>
+            <translation>请用选项 columns 指定各列</translation>
+        </message>
+        <message>
+            <source>line %1 and %2 more do not hold %3 numbers, %4 lines do</source>
+            <translation>第 %1 行及另外 %2 行不含 %3 个数，有 %4 行含有</translation>
+        </message>
+        <message>
+            <source>a table of numbers</source>
+            <translation>数值表</translation>
+        </message>
+        <message>
+            <source>Set the options delimiter and columns</source>
+            <translation>请设置选项 delimiter 和 columns</translation>
+        </message>
+        <message>
+            <source>'%1' cannot be written: the disk may be full</source>
+            <translation>无法写出“%1”：磁盘可能已满</translation>
+        </message>
+        <message>
+            <source>room for all points of the cloud, uncompressed</source>
+            <translation>可容纳点云全部点（未压缩）的空间</translation>
+        </message>
+        <message>
+            <source>Free room, or set TMPDIR to a folder that has it</source>
+            <translation>请腾出空间，或将 TMPDIR 设为有空间的文件夹</translation>
+        </message>
+        <message>
+            <source>'%1' cannot be read</source>
+            <translation>无法读取“%1”</translation>
+        </message>
+        <message>
+            <source>the file that was written just now</source>
+            <translation>刚写出的文件</translation>
+        </message>
+        <message>
+            <source>Build the index again</source>
+            <translation>请重新建立索引</translation>
+        </message>
+        <message>
+            <source>no folder can be made in '%1'</source>
+            <translation>无法在“%1”中建立文件夹</translation>
+        </message>
+        <message>
+            <source>a folder to write to</source>
+            <translation>可写入的文件夹</translation>
+        </message>
+        <message>
+            <source>a cloud</source>
+            <translation>点云</translation>
+        </message>
+        <message>
+            <source>'%1' is no LAS or LAZ file</source>
+            <translation>“%1”不是 LAS 或 LAZ 文件</translation>
+        </message>
+        <message>
+            <source>a cloud that can be read in parts</source>
+            <translation>可分部分读取的点云</translation>
+        </message>
+        <message>
+            <source>Convert it: bole convert FILE cloud.laz</source>
+            <translation>请转换：bole convert FILE cloud.laz</translation>
+        </message>
+        <message>
+            <source>%1 points</source>
+            <translation>%1 个点</translation>
+        </message>
+        <message>
+            <source>at most 4294967295 for COPC</source>
+            <translation>COPC 至多 4294967295 个</translation>
+        </message>
+        <message>
+            <source>Write LAZ, or tiles</source>
+            <translation>请写出 LAZ 或分块</translation>
+        </message>
+        <message>
+            <source>'%1' is no COPC file</source>
+            <translation>“%1”不是 COPC 文件</translation>
+        </message>
+        <message>
+            <source>'%1' has a damaged record of COPC</source>
+            <translation>“%1”的 COPC 记录已损坏</translation>
+        </message>
+        <message>
+            <source>a COPC file (.copc.laz)</source>
+            <translation>COPC 文件 (.copc.laz)</translation>
+        </message>
+        <message>
+            <source>Convert the cloud: bole convert FILE cloud.copc.laz</source>
+            <translation>请转换点云：bole convert FILE cloud.copc.laz</translation>
+        </message>
+        <message>
+            <source>the octree of '%1' has no node that can be read</source>
+            <translation>“%1”的八叉树没有可以读取的节点</translation>
+        </message>
+        <message>
+            <source>a whole file</source>
+            <translation>完整的文件</translation>
+        </message>
+        <message>
+            <source>Copy or download the file again, or convert it to COPC again</source>
+            <translation>请重新复制或下载文件，或重新转换为 COPC</translation>
+        </message>
+        <message>
+            <source>none of the %1 points of node %2-%3-%4-%5 of '%6' can be read</source>
+            <translation>“%6”的节点 %2-%3-%4-%5 的 %1 个点均无法读取</translation>
+        </message>
+        <message>
+            <source>Copy or download the file again</source>
+            <translation>请重新复制或下载文件</translation>
+        </message>
+        <message>
+            <source>the description of the E57 file is not usable: it has no e57Root</source>
+            <translation>E57 文件的描述不能使用：没有 e57Root</translation>
+        </message>
+        <message>
+            <source>the description of the E57 file is not usable: %1</source>
+            <translation>E57 文件的描述不能使用：%1</translation>
+        </message>
+        <message>
+            <source>XML with the element e57Root</source>
+            <translation>含有元素 e57Root 的 XML</translation>
+        </message>
+        <message>
+            <source>The file is damaged: export it again</source>
+            <translation>文件已损坏：请重新导出</translation>
+        </message>
+        <message>
+            <source>the file does not begin with ASTM-E57</source>
+            <translation>文件不以 ASTM-E57 开头</translation>
+        </message>
+        <message>
+            <source>an E57 file</source>
+            <translation>E57 文件</translation>
+        </message>
+        <message>
+            <source>the file ends after %1 bytes, within the E57 header</source>
+            <translation>文件在 %1 字节之后结束，仍在 E57 文件头内</translation>
+        </message>
+        <message>
+            <source>%1 bytes of header</source>
+            <translation>%1 字节的文件头</translation>
+        </message>
+        <message>
+            <source>The file was cut: copy it again</source>
+            <translation>文件被截断：请重新复制</translation>
+        </message>
+        <message>
+            <source>E57 version %1.%2</source>
+            <translation>E57 版本 %1.%2</translation>
+        </message>
+        <message>
+            <source>version 1</source>
+            <translation>版本 1</translation>
+        </message>
+        <message>
+            <source>E57 pages of %1 bytes</source>
+            <translation>%1 字节的 E57 页</translation>
+        </message>
+        <message>
+            <source>The header is damaged: copy it again</source>
+            <translation>文件头已损坏：请重新复制</translation>
+        </message>
+        <message>
+            <source>the description of the file would lie at byte %1 of %2</source>
+            <translation>文件的描述应在 %2 字节中的第 %1 字节处</translation>
+        </message>
+        <message>
+            <source>a whole file: its description (XML) lies behind the points</source>
+            <translation>完整的文件：其描述（XML）位于点之后</translation>
+        </message>
+        <message>
+            <source>the description of the E57 file (XML) has %1 of %2 bytes</source>
+            <translation>E57 文件的描述（XML）有 %2 字节，现有 %1 字节</translation>
+        </message>
+        <message>
+            <source>the checksum of the description of the E57 file (XML) is wrong: it cannot be relied on</source>
+            <translation>E57 文件的描述（XML）校验和错误：不可信</translation>
+        </message>
+        <message>
+            <source>an undamaged file</source>
+            <translation>未损坏的文件</translation>
+        </message>
+        <message>
+            <source>Copy or export the file again</source>
+            <translation>请重新复制或导出文件</translation>
+        </message>
+        <message>
+            <source>none of the %1 points of the E57 file can be read</source>
+            <translation>E57 文件的 %1 个点均无法读取</translation>
+        </message>
+        <message>
+            <source>none of the %1 points of the E57 file can be read: %2</source>
+            <translation>E57 文件的 %1 个点均无法读取：%2</translation>
+        </message>
+        <message>
             <source>a table</source>
             <translation>表</translation>
         </message>
@@ -2023,6 +2911,234 @@
         <message>
             <source>Export it as LAS or PLY</source>
             <translation>请导出为 LAS 或 PLY</translation>
+        </message>
+        <message>
+            <source>this is %1</source>
+            <translation>这是%1</translation>
+        </message>
+        <message>
+            <source>this is no KITTI frame (%1 bytes): a .bin file holds nothing but points of four 32-bit numbers, within 2 km of the sensor</source>
+            <translation>这不是 KITTI 帧（%1 字节）：.bin 文件只含有由四个 32 位数组成的点，距传感器 2 km 以内</translation>
+        </message>
+        <message>
+            <source>the format of this file is not known (%1 bytes, ending '%2')</source>
+            <translation>此文件的格式未知（%1 字节，扩展名“%2”）</translation>
+        </message>
+        <message>
+            <source>the folder '%1' holds no frames</source>
+            <translation>文件夹“%1”中没有帧</translation>
+        </message>
+        <message>
+            <source>there is no file or folder '%1'</source>
+            <translation>没有文件或文件夹“%1”</translation>
+        </message>
+        <message>
+            <source>a scan or a point cloud</source>
+            <translation>扫描或点云</translation>
+        </message>
+        <message>
+            <source>this is %1: %2</source>
+            <translation>这是%1：%2</translation>
+        </message>
+        <message>
+            <source>'%1' is a %2</source>
+            <translation>“%1”是 %2</translation>
+        </message>
+        <message>
+            <source>there is no format '%1' of %2</source>
+            <translation>没有用于%2的格式“%1”</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written as '%2'</source>
+            <translation>%1不能写成“%2”</translation>
+        </message>
+        <message>
+            <source>'%1': %2 failed: %3</source>
+            <translation>“%1”：%2失败：%3</translation>
+        </message>
+        <message>
+            <source>placing the raster</source>
+            <translation>放置栅格</translation>
+        </message>
+        <message>
+            <source>the raster's coordinate reference system is not WKT that PROJ knows</source>
+            <translation>栅格的坐标参考系不是 PROJ 认识的 WKT</translation>
+        </message>
+        <message>
+            <source>WKT 1 or 2</source>
+            <translation>WKT 1 或 2</translation>
+        </message>
+        <message>
+            <source>setting the coordinate reference system</source>
+            <translation>设置坐标参考系</translation>
+        </message>
+        <message>
+            <source>writing a row</source>
+            <translation>写出一行</translation>
+        </message>
+        <message>
+            <source>a raster of %1 x %2 cells with %3 values</source>
+            <translation>%1 x %2 个单元的栅格有 %3 个值</translation>
+        </message>
+        <message>
+            <source>one value per cell and at least one cell</source>
+            <translation>每个单元一个值，且至少一个单元</translation>
+        </message>
+        <message>
+            <source>creating the file</source>
+            <translation>建立文件</translation>
+        </message>
+        <message>
+            <source>writing the file</source>
+            <translation>写出文件</translation>
+        </message>
+        <message>
+            <source>a GeoTIFF with a band</source>
+            <translation>含有一个波段的 GeoTIFF</translation>
+        </message>
+        <message>
+            <source>'%1' has no georeference</source>
+            <translation>“%1”没有地理参考</translation>
+        </message>
+        <message>
+            <source>a georeferenced GeoTIFF</source>
+            <translation>带地理参考的 GeoTIFF</translation>
+        </message>
+        <message>
+            <source>'%1' has cells of %2 x %3 m or is rotated</source>
+            <translation>“%1”的单元为 %2 x %3 m，或有旋转</translation>
+        </message>
+        <message>
+            <source>square cells, north up</source>
+            <translation>正方形的单元，北方朝上</translation>
+        </message>
+        <message>
+            <source>no cell of '%1' lies within the bounds</source>
+            <translation>“%1”没有单元在该范围内</translation>
+        </message>
+        <message>
+            <source>bounds that meet it</source>
+            <translation>与其相交的范围</translation>
+        </message>
+        <message>
+            <source>'%1' has %2 x %3 cells</source>
+            <translation>“%1”有 %2 x %3 个单元</translation>
+        </message>
+        <message>
+            <source>at most %1 million cells</source>
+            <translation>至多 %1 百万个单元</translation>
+        </message>
+        <message>
+            <source>Cut it to the plot, or thin it</source>
+            <translation>请裁剪到样地，或抽稀</translation>
+        </message>
+        <message>
+            <source>'%1': row %2 cannot be read: %3</source>
+            <translation>“%1”：无法读取第 %2 行：%3</translation>
+        </message>
+        <message>
+            <source>this GDAL has no driver %1</source>
+            <translation>此 GDAL 没有驱动程序 %1</translation>
+        </message>
+        <message>
+            <source>a GDAL with it</source>
+            <translation>含有它的 GDAL</translation>
+        </message>
+        <message>
+            <source>no reason given</source>
+            <translation>没有给出原因</translation>
+        </message>
+        <message>
+            <source>layer '%1': %2 failed: %3</source>
+            <translation>图层“%1”：%2失败：%3</translation>
+        </message>
+        <message>
+            <source>layer '%1' has %2 shapes and %3 rows of attributes</source>
+            <translation>图层“%1”有 %2 个图形和 %3 行属性</translation>
+        </message>
+        <message>
+            <source>as many of both</source>
+            <translation>两者数目相同</translation>
+        </message>
+        <message>
+            <source>shape %1 of layer '%2' has %3 vertices</source>
+            <translation>图层“%2”的图形 %1 有 %3 个顶点</translation>
+        </message>
+        <message>
+            <source>shape %1 of layer '%2' has a coordinate that is not finite</source>
+            <translation>图层“%2”的图形 %1 有一个坐标不是有限数</translation>
+        </message>
+        <message>
+            <source>finite coordinates</source>
+            <translation>有限的坐标</translation>
+        </message>
+        <message>
+            <source>defining a field</source>
+            <translation>定义字段</translation>
+        </message>
+        <message>
+            <source>the coordinate reference system of layer '%1' is not WKT that PROJ knows</source>
+            <translation>图层“%1”的坐标参考系不是 PROJ 认识的 WKT</translation>
+        </message>
+        <message>
+            <source>creating it</source>
+            <translation>建立图层</translation>
+        </message>
+        <message>
+            <source>committing its rows</source>
+            <translation>提交各行</translation>
+        </message>
+        <message>
+            <source>'%1' cannot be written: %2</source>
+            <translation>无法写出“%1”：%2</translation>
+        </message>
+        <message>
+            <source>a folder that exists and may be written to</source>
+            <translation>存在且可写的文件夹</translation>
+        </message>
+        <message>
+            <source>'%1' could not be written to its end: %2</source>
+            <translation>“%1”未能写完：%2</translation>
+        </message>
+        <message>
+            <source>the place of layer '%1' on the earth is not known, and GeoJSON holds longitude and latitude</source>
+            <translation>图层“%1”在地球上的位置未知，而 GeoJSON 存放经度和纬度</translation>
+        </message>
+        <message>
+            <source>a coordinate reference system</source>
+            <translation>坐标参考系</translation>
+        </message>
+        <message>
+            <source>finding the transformation to longitude and latitude</source>
+            <translation>求到经度和纬度的变换</translation>
+        </message>
+        <message>
+            <source>transforming a coordinate to longitude and latitude</source>
+            <translation>将坐标变换为经度和纬度</translation>
+        </message>
+        <message>
+            <source>the coordinate system %1 is not available: %2</source>
+            <translation>坐标系 %1 不可用：%2</translation>
+        </message>
+        <message>
+            <source>the database of PROJ</source>
+            <translation>PROJ 的数据库</translation>
+        </message>
+        <message>
+            <source>option crs is '%1'</source>
+            <translation>选项 crs 为“%1”</translation>
+        </message>
+        <message>
+            <source>a projected coordinate system, for instance EPSG:25832</source>
+            <translation>投影坐标系，例如 EPSG:25832</translation>
+        </message>
+        <message>
+            <source>the path cannot be projected to '%1': %2</source>
+            <translation>无法将路径投影到“%1”：%2</translation>
+        </message>
+        <message>
+            <source>a coordinate system of the place where it was walked</source>
+            <translation>行走所在地的坐标系</translation>
         </message>
         <message>
             <source>the coordinates are longitude and latitude, not metres: project the cloud first</source>
@@ -2061,6 +3177,78 @@
             <translation>坐标参考系没有 LAS 1.2 能保存的 EPSG 代码；未写出</translation>
         </message>
         <message>
+            <source>the file does not begin with LASF</source>
+            <translation>文件不以 LASF 开头</translation>
+        </message>
+        <message>
+            <source>a LAS or LAZ file</source>
+            <translation>LAS 或 LAZ 文件</translation>
+        </message>
+        <message>
+            <source>the file ends after %1 bytes, within the LAS header</source>
+            <translation>文件在 %1 字节之后结束，仍在 LAS 文件头内</translation>
+        </message>
+        <message>
+            <source>LAS version %1.%2</source>
+            <translation>LAS 版本 %1.%2</translation>
+        </message>
+        <message>
+            <source>1.0 to 1.4</source>
+            <translation>1.0 至 1.4</translation>
+        </message>
+        <message>
+            <source>the header of LAS 1.%1 has %2 bytes (file: %3 bytes)</source>
+            <translation>LAS 1.%1 的文件头有 %2 字节（文件：%3 字节）</translation>
+        </message>
+        <message>
+            <source>at least %1 and no more than the file</source>
+            <translation>至少 %1 字节，且不超过文件</translation>
+        </message>
+        <message>
+            <source>the points begin at byte %1</source>
+            <translation>点从第 %1 字节开始</translation>
+        </message>
+        <message>
+            <source>a place between the header (%1 bytes) and the end of the file (%2 bytes)</source>
+            <translation>文件头（%1 字节）与文件末尾（%2 字节）之间的位置</translation>
+        </message>
+        <message>
+            <source>point format %1</source>
+            <translation>点格式 %1</translation>
+        </message>
+        <message>
+            <source>0 to 10</source>
+            <translation>0 至 10</translation>
+        </message>
+        <message>
+            <source>point records of %1 bytes</source>
+            <translation>%1 字节的点记录</translation>
+        </message>
+        <message>
+            <source>at least %1 for point format %2</source>
+            <translation>点格式 %2 至少 %1 字节</translation>
+        </message>
+        <message>
+            <source>coordinate scale %1 %2 %3 and offset %4 %5 %6</source>
+            <translation>坐标比例 %1 %2 %3 和偏移 %4 %5 %6</translation>
+        </message>
+        <message>
+            <source>finite numbers, scales other than zero</source>
+            <translation>有限数，比例不为零</translation>
+        </message>
+        <message>
+            <source>coordinate scale %1 %2 %3</source>
+            <translation>坐标比例 %1 %2 %3</translation>
+        </message>
+        <message>
+            <source>scales from %1 to %2</source>
+            <translation>%1 至 %2 的比例</translation>
+        </message>
+        <message>
+            <source>The header is damaged: copy the file again</source>
+            <translation>文件头已损坏：请重新复制文件</translation>
+        </message>
+        <message>
             <source>the coordinate scale %1 %2 %3 is negative: check that the cloud is not mirrored</source>
             <translation>坐标比例 %1 %2 %3 为负：请检查点云是否成镜像</translation>
         </message>
@@ -2097,8 +3285,48 @@
             <translation>文件八叉树的 %1 页无法读取：其下有多少点无从得知。请不带 bounds 和 resolution 读取文件</translation>
         </message>
         <message>
+            <source>the bounds in the header of the file do not fit its points, so it cannot be read in pieces</source>
+            <translation>文件头中的范围与点不符，因此不能分段读取</translation>
+        </message>
+        <message>
+            <source>a header with right bounds</source>
+            <translation>范围正确的文件头</translation>
+        </message>
+        <message>
+            <source>Leave the options unit and up at auto, or read it in one process</source>
+            <translation>请将选项 unit 和 up 保持为 auto，或在单个进程中读取</translation>
+        </message>
+        <message>
+            <source>no point was found: %1 entries or pages of the octree of the file are damaged</source>
+            <translation>没有找到点：文件八叉树有 %1 个条目或页已损坏</translation>
+        </message>
+        <message>
+            <source>a whole octree</source>
+            <translation>完整的八叉树</translation>
+        </message>
+        <message>
+            <source>Read the file without bounds and resolution, or convert it to COPC again</source>
+            <translation>请不带范围和分辨率读取文件，或重新转换为 COPC</translation>
+        </message>
+        <message>
+            <source>the levels of the file that have a resolution of %1 hold no point within the option bounds</source>
+            <translation>文件中分辨率为 %1 的层级没有点在选项 bounds 之内</translation>
+        </message>
+        <message>
+            <source>points within the bounds</source>
+            <translation>范围内的点</translation>
+        </message>
+        <message>
+            <source>Set a smaller resolution, or 0 for all points</source>
+            <translation>请设置更小的分辨率，或用 0 读取全部点</translation>
+        </message>
+        <message>
             <source>the header counts %1 points, the file has room for %2: those behind were not read</source>
             <translation>文件头计有 %1 个点，文件只容得下 %2 个：其后的点未读取</translation>
+        </message>
+        <message>
+            <source>none of the %1 points that the header counts can be read</source>
+            <translation>文件头所计的 %1 个点均无法读取</translation>
         </message>
         <message>
             <source>%1 of %2 points read: the file ends early or is damaged there</source>
@@ -2117,8 +3345,116 @@
             <translation>%2 个点中有 %1 个标为保留不用（withheld）；与其他点一样读取</translation>
         </message>
         <message>
+            <source>point %1 has the coordinate %2 on axis %3</source>
+            <translation>点 %1 在轴 %3 上的坐标为 %2</translation>
+        </message>
+        <message>
+            <source>finite coordinates within %1 m of %2</source>
+            <translation>距 %2 在 %1 m 以内的有限坐标</translation>
+        </message>
+        <message>
+            <source>Remove the point, or write with a coarser scale</source>
+            <translation>请去掉该点，或以更粗的比例写出</translation>
+        </message>
+        <message>
             <source>the times are not GPS time, which is what a LAS field holds: they were not written</source>
             <translation>时间不是 GPS 时间，而 LAS 字段存放的是 GPS 时间：未写出</translation>
+        </message>
+        <message>
+            <source>LAS version '%1'</source>
+            <translation>LAS 版本“%1”</translation>
+        </message>
+        <message>
+            <source>1.2 or 1.4</source>
+            <translation>1.2 或 1.4</translation>
+        </message>
+        <message>
+            <source>LAS 1.2 as COPC</source>
+            <translation>以 LAS 1.2 写出 COPC</translation>
+        </message>
+        <message>
+            <source>LAS 1.4</source>
+            <translation>版本 LAS 1.4</translation>
+        </message>
+        <message>
+            <source>at most 4294967295 for LAS 1.2</source>
+            <translation>LAS 1.2 至多 4294967295 个</translation>
+        </message>
+        <message>
+            <source>Write LAS 1.4</source>
+            <translation>请写出 LAS 1.4</translation>
+        </message>
+        <message>
+            <source>the LAZ record lists an item of type %1, %2 bytes, version %3</source>
+            <translation>LAZ 记录列有类型 %1、%2 字节、版本 %3 的项</translation>
+        </message>
+        <message>
+            <source>items as LASzip 1 to 3 writes them</source>
+            <translation>LASzip 1 至 3 写出的项</translation>
+        </message>
+        <message>
+            <source>points of format %1</source>
+            <translation>格式 %1 的点</translation>
+        </message>
+        <message>
+            <source>0 to 3 or 6 to 8 to be compressed</source>
+            <translation>0 至 3 或 6 至 8 才能压缩</translation>
+        </message>
+        <message>
+            <source>records of %1 bytes</source>
+            <translation>%1 字节的记录</translation>
+        </message>
+        <message>
+            <source>a chunk of %1 points in %2 bytes</source>
+            <translation>%2 字节中含 %1 个点的数据块</translation>
+        </message>
+        <message>
+            <source>less than 2^31 of both</source>
+            <translation>两者均小于 2^31</translation>
+        </message>
+        <message>
+            <source>a LAZ record of %1 bytes</source>
+            <translation>%1 字节的 LAZ 记录</translation>
+        </message>
+        <message>
+            <source>the LAZ record (laszip encoded, 22204)</source>
+            <translation>LAZ 记录（laszip encoded, 22204）</translation>
+        </message>
+        <message>
+            <source>LAZ compressor %1 with coder %2</source>
+            <translation>LAZ 压缩器 %1，编码器 %2</translation>
+        </message>
+        <message>
+            <source>compressor 1, 2 or 3 with coder 0</source>
+            <translation>压缩器 1、2 或 3，编码器 0</translation>
+        </message>
+        <message>
+            <source>a LAZ record of %1 bytes that lists %2 items</source>
+            <translation>%1 字节的 LAZ 记录列有 %2 项</translation>
+        </message>
+        <message>
+            <source>the LAZ record lists items of %1 bytes, point records have %2</source>
+            <translation>LAZ 记录所列各项共 %1 字节，而点记录有 %2 字节</translation>
+        </message>
+        <message>
+            <source>the same number</source>
+            <translation>相同的数目</translation>
+        </message>
+        <message>
+            <source>a layered LAZ file whose records do not begin with a point</source>
+            <translation>分层的 LAZ 文件，其记录不以点开头</translation>
+        </message>
+        <message>
+            <source>item POINT14 first</source>
+            <translation>以 POINT14 为第一项</translation>
+        </message>
+        <message>
+            <source>a LAZ item of type %1, version %2</source>
+            <translation>类型 %1、版本 %2 的 LAZ 项</translation>
+        </message>
+        <message>
+            <source>points, times, colours and extra bytes in layers of version 3 or point by point in version 2</source>
+            <translation>版本 3 的分层或版本 2 的逐点的点、时间、颜色和附加字节</translation>
         </message>
         <message>
             <source>the file has no usable chunk table; its chunks are read in order</source>
@@ -2129,8 +3465,80 @@
             <translation>读取压缩的点</translation>
         </message>
         <message>
+            <source>the points are compressed, but the file has no LAZ record</source>
+            <translation>点已压缩，但文件没有 LAZ 记录</translation>
+        </message>
+        <message>
+            <source>the record 'laszip encoded' 22204</source>
+            <translation>记录“laszip encoded”22204</translation>
+        </message>
+        <message>
             <source>compressing points</source>
             <translation>压缩点</translation>
+        </message>
+        <message>
+            <source>'%1' has no row</source>
+            <translation>“%1”没有数据行</translation>
+        </message>
+        <message>
+            <source>a file plot.csv of a survey</source>
+            <translation>调查的文件 plot.csv</translation>
+        </message>
+        <message>
+            <source>'%1' has the shape '%2'</source>
+            <translation>“%1”的形状为“%2”</translation>
+        </message>
+        <message>
+            <source>rectangle, circle, polygon or none</source>
+            <translation>rectangle、circle、polygon 或 none</translation>
+        </message>
+        <message>
+            <source>%1 names for %2 folders</source>
+            <translation>%2 个文件夹有 %1 个名称</translation>
+        </message>
+        <message>
+            <source>%1 systems for %2 folders</source>
+            <translation>%2 个文件夹有 %1 个系统</translation>
+        </message>
+        <message>
+            <source>%1 plots for %2 folders</source>
+            <translation>%2 个文件夹有 %1 个样地</translation>
+        </message>
+        <message>
+            <source>one for each folder, in their order</source>
+            <translation>每个文件夹一个，按其顺序</translation>
+        </message>
+        <message>
+            <source>'%1' is no folder</source>
+            <translation>“%1”不是文件夹</translation>
+        </message>
+        <message>
+            <source>the output folder of a run (bole run ... --out FOLDER)</source>
+            <translation>运行的输出文件夹（bole run ... --out FOLDER）</translation>
+        </message>
+        <message>
+            <source>the folder '%1' is named twice</source>
+            <translation>文件夹“%1”指定了两次</translation>
+        </message>
+        <message>
+            <source>different runs</source>
+            <translation>不同的运行</translation>
+        </message>
+        <message>
+            <source>A run compared with itself has no differences, and pooled twice counts its trees twice</source>
+            <translation>运行与自身比较没有差异，合并两次则其树木重复计入</translation>
+        </message>
+        <message>
+            <source>no folder is named</source>
+            <translation>没有指定文件夹</translation>
+        </message>
+        <message>
+            <source>the output folders of two or more runs</source>
+            <translation>两次或更多次运行的输出文件夹</translation>
+        </message>
+        <message>
+            <source>--set runs.folders=A,B</source>
+            <translation>请用 --set runs.folders=A,B</translation>
         </message>
         <message>
             <source>read %1</source>
@@ -2139,6 +3547,22 @@
         <message>
             <source>%1 runs with %2 stems</source>
             <translation>%1 次运行，共 %2 株单木</translation>
+        </message>
+        <message>
+            <source>summary.json of a run</source>
+            <translation>运行的 summary.json</translation>
+        </message>
+        <message>
+            <source>'%1' holds no survey: there is no stems.csv in it</source>
+            <translation>“%1”中没有调查：其中没有 stems.csv</translation>
+        </message>
+        <message>
+            <source>the output folder of a run that made a stem table</source>
+            <translation>生成了单木表的运行的输出文件夹</translation>
+        </message>
+        <message>
+            <source>FAILED_RUN.txt says why the run failed</source>
+            <translation>FAILED_RUN.txt 说明运行失败的原因</translation>
         </message>
         <message>
             <source>its stems.csv has no row</source>
@@ -2221,6 +3645,14 @@
             <translation>KITTI 帧</translation>
         </message>
         <message>
+            <source>several calibrations of a %1 lie beside the capture: '%2', '%3'</source>
+            <translation>抓包文件旁有多个 %1 的标定文件：“%2”、“%3”</translation>
+        </message>
+        <message>
+            <source>Give it the name of the capture, or name it with the option sensor</source>
+            <translation>请使其与抓包文件同名，或用选项 sensor 指定</translation>
+        </message>
+        <message>
             <source>%1 IP fragment</source>
             <translation>%1 个 IP 分片</translation>
         </message>
@@ -2249,6 +3681,34 @@
             <translation>抓包文件在%1之后被截断或损坏（%2）：读取其前的帧（文件的 %3 %）</translation>
         </message>
         <message>
+            <source>'%1' has %2 bytes</source>
+            <translation>“%1”有 %2 字节</translation>
+        </message>
+        <message>
+            <source>%1, %2 per point of the frame</source>
+            <translation>%1，帧的每点 %2 字节</translation>
+        </message>
+        <message>
+            <source>%1 bytes, which is no whole number of points</source>
+            <translation>%1 字节，不是整数个点</translation>
+        </message>
+        <message>
+            <source>16 bytes per point: x, y, z, intensity as float32</source>
+            <translation>每点 16 字节：float32 的 x、y、z 和强度</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 is '%3'</source>
+            <translation>“%1”第 %2 行为“%3”</translation>
+        </message>
+        <message>
+            <source>a time in seconds, or a date and time</source>
+            <translation>以秒计的时间，或日期和时间</translation>
+        </message>
+        <message>
+            <source>files .bin (KITTI) or .pcd, one per frame</source>
+            <translation>.bin（KITTI）或 .pcd 文件，每帧一个</translation>
+        </message>
+        <message>
             <source>%1 files were skipped: frames are read from *%2 only</source>
             <translation>跳过了 %1 个文件：只从 *%2 读取帧</translation>
         </message>
@@ -2259,6 +3719,14 @@
         <message>
             <source>'%1' is not used: it has %2 times for %3 frames, or they do not increase</source>
             <translation>未采用“%1”：它有 %2 个时间而帧有 %3 个，或时间不是递增的</translation>
+        </message>
+        <message>
+            <source>'%1' cannot be used</source>
+            <translation>“%1”不能使用</translation>
+        </message>
+        <message>
+            <source>{"sensor": "os1_64"}, or a description of the sensor as in resources/sensors</source>
+            <translation>{"sensor": "os1_64"}，或 resources/sensors 中那样的传感器描述</translation>
         </message>
         <message>
             <source>the frames have no rings: %1 evenly spaced ones are assumed. Name the sensor with the option sensor</source>
@@ -2281,12 +3749,156 @@
             <translation>%1：%2 帧，%3 线</translation>
         </message>
         <message>
+            <source>min_range is %1 m and max_range %2 m</source>
+            <translation>min_range 为 %1 m，max_range 为 %2 m</translation>
+        </message>
+        <message>
+            <source>min_range below max_range</source>
+            <translation>min_range 小于 max_range</translation>
+        </message>
+        <message>
+            <source>no scan is named</source>
+            <translation>没有指定扫描</translation>
+        </message>
+        <message>
+            <source>'%1' is a single frame</source>
+            <translation>“%1”是单独的一帧</translation>
+        </message>
+        <message>
+            <source>the folder that holds the frames</source>
+            <translation>存放各帧的文件夹</translation>
+        </message>
+        <message>
+            <source>Give the folder as the scan, or read the file as a cloud</source>
+            <translation>请将该文件夹作为扫描，或将文件作为点云读取</translation>
+        </message>
+        <message>
+            <source>the option topic is set, and '%1' (%2) has no topics</source>
+            <translation>设置了选项 topic，而“%1”（%2）没有话题</translation>
+        </message>
+        <message>
+            <source>a ROS bag</source>
+            <translation>ROS bag 文件</translation>
+        </message>
+        <message>
+            <source>Leave topic empty</source>
+            <translation>请将 topic 留空</translation>
+        </message>
+        <message>
+            <source>several correction files lie beside '%1'</source>
+            <translation>“%1”旁有多个校正文件</translation>
+        </message>
+        <message>
             <source>the angles are those of the manual of the %1: put the correction file (CSV) of the unit beside the capture</source>
             <translation>角度取自 %1 的手册：请将该设备的校正文件（CSV）放在抓包文件旁</translation>
         </message>
         <message>
+            <source>'%1' has no data packet of a Hesai sensor that is known</source>
+            <translation>“%1”没有已知 Hesai 传感器的数据包</translation>
+        </message>
+        <message>
+            <source>packets of a PandarXT-32 or Pandar40P</source>
+            <translation>PandarXT-32 或 Pandar40P 的数据包</translation>
+        </message>
+        <message>
+            <source>three columns of angular rate</source>
+            <translation>三列角速度</translation>
+        </message>
+        <message>
+            <source>, three columns of angular rate</source>
+            <translation>，三列角速度</translation>
+        </message>
+        <message>
+            <source>three columns of specific force</source>
+            <translation>三列比力</translation>
+        </message>
+        <message>
+            <source>, three columns of specific force</source>
+            <translation>，三列比力</translation>
+        </message>
+        <message>
+            <source>a column of times</source>
+            <translation>时间列</translation>
+        </message>
+        <message>
+            <source>a column of times%1</source>
+            <translation>时间列%1</translation>
+        </message>
+        <message>
+            <source>%1 has the columns %2 and lacks %3</source>
+            <translation>%1 有列 %2，缺少%3</translation>
+        </message>
+        <message>
+            <source>time_s, gyro_x_rad_s, gyro_y_rad_s, gyro_z_rad_s, accel_x_m_s2, accel_y_m_s2, accel_z_m_s2</source>
+            <translation>列 time_s, gyro_x_rad_s, gyro_y_rad_s, gyro_z_rad_s, accel_x_m_s2, accel_y_m_s2, accel_z_m_s2</translation>
+        </message>
+        <message>
+            <source>Name the columns like this in the first line</source>
+            <translation>请在第一行中如此命名各列</translation>
+        </message>
+        <message>
+            <source>%1 gives %2 as '%3'</source>
+            <translation>%1 给出的 %2 为“%3”</translation>
+        </message>
+        <message>
+            <source>%1 numbers</source>
+            <translation>%1 个数</translation>
+        </message>
+        <message>
+            <source>%1: the quaternion of T_sensor_imu has the length %2</source>
+            <translation>%1：T_sensor_imu 的四元数长度为 %2</translation>
+        </message>
+        <message>
+            <source>x y z qx qy qz qw with a quaternion of length 1</source>
+            <translation>x y z qx qy qz qw，其四元数长度为 1</translation>
+        </message>
+        <message>
+            <source>%1: the specific force is %2 m/s2 in the middle</source>
+            <translation>%1：比力的中间值为 %2 m/s2</translation>
+        </message>
+        <message>
+            <source>about 9.81 m/s2, the gravity that an accelerometer measures at rest</source>
+            <translation>约 9.81 m/s2，即加速度计静止时测得的重力</translation>
+        </message>
+        <message>
+            <source>Name the unit behind the columns: accel_x_m_s2, accel_x_g or accel_x_mg</source>
+            <translation>请在列名后写明单位：accel_x_m_s2、accel_x_g 或 accel_x_mg</translation>
+        </message>
+        <message>
+            <source>The values look like multiples of g: name the columns accel_x_g ..</source>
+            <translation>数值看来是 g 的倍数：请将各列命名为 accel_x_g ..</translation>
+        </message>
+        <message>
+            <source>The values look like thousandths of g: name the columns accel_x_mg ..</source>
+            <translation>数值看来以千分之一 g 计：请将各列命名为 accel_x_mg ..</translation>
+        </message>
+        <message>
+            <source>Gravity seems to be removed; raw measurements are needed</source>
+            <translation>看来已去除重力；需要原始测量</translation>
+        </message>
+        <message>
+            <source>%1: an angular rate of %2 rad/s</source>
+            <translation>%1：角速度为 %2 rad/s</translation>
+        </message>
+        <message>
+            <source>at most 35 rad/s (2000 deg/s)</source>
+            <translation>至多 35 rad/s (2000 deg/s)</translation>
+        </message>
+        <message>
+            <source>If they are degrees per second, name the columns gyro_x_deg_s ..</source>
+            <translation>如果以度每秒计，请将各列命名为 gyro_x_deg_s ..</translation>
+        </message>
+        <message>
             <source>the inertial unit %1 has %2 gaps of more than %3 s, the longest %4 s</source>
             <translation>惯性单元 %1 有 %2 处超过 %3 s 的间断，最长 %4 s</translation>
+        </message>
+        <message>
+            <source>it measures from %1 to %2 s, and the scan goes from %3 to %4 s</source>
+            <translation>其测量从 %1 至 %2 s，而扫描从 %3 至 %4 s</translation>
+        </message>
+        <message>
+            <source>%1 holds %2 usable measurements</source>
+            <translation>%1 含有 %2 个可用的测量</translation>
         </message>
         <message>
             <source>%1: %2 measurements are no numbers and were left out</source>
@@ -2295,6 +3907,74 @@
         <message>
             <source>%1: %2 measurements go back in time and were left out</source>
             <translation>%1：%2 个测量值的时间倒退，已舍去</translation>
+        </message>
+        <message>
+            <source>%1 beside the scan is not of the same time: %2</source>
+            <translation>扫描旁的 %1 不属于同一时间：%2</translation>
+        </message>
+        <message>
+            <source>there is no file '%1' with an inertial unit</source>
+            <translation>没有惯性单元的文件“%1”</translation>
+        </message>
+        <message>
+            <source>a CSV file, or a topic of a ROS bag</source>
+            <translation>CSV 文件，或 ROS bag 文件的话题</translation>
+        </message>
+        <message>
+            <source>Leave the option imu empty to take imu.csv beside the scan</source>
+            <translation>将选项 imu 留空即采用扫描旁的 imu.csv</translation>
+        </message>
+        <message>
+            <source>the inertial unit %1 does not fit the scan: %2</source>
+            <translation>惯性单元 %1 与扫描不符：%2</translation>
+        </message>
+        <message>
+            <source>Add the offset between the clocks to the times of the unit</source>
+            <translation>请将时钟之间的偏差加到该单元的时间上</translation>
+        </message>
+        <message>
+            <source>the extrinsics of a device are no numbers</source>
+            <translation>设备的外参不是数</translation>
+        </message>
+        <message>
+            <source>angles in degrees, and metres</source>
+            <translation>以度计的角度和以米计的长度</translation>
+        </message>
+        <message>
+            <source>'%1' has %2 bytes and no header of an LVX file</source>
+            <translation>“%1”有 %2 字节，没有 LVX 文件头</translation>
+        </message>
+        <message>
+            <source>an LVX or LVX2 file</source>
+            <translation>LVX 或 LVX2 文件</translation>
+        </message>
+        <message>
+            <source>'%1' is an LVX file of version %2.%3</source>
+            <translation>“%1”是版本 %2.%3 的 LVX 文件</translation>
+        </message>
+        <message>
+            <source>version 1.1 or 2</source>
+            <translation>版本 1.1 或 2</translation>
+        </message>
+        <message>
+            <source>Convert it with Livox Viewer</source>
+            <translation>请用 Livox Viewer 转换</translation>
+        </message>
+        <message>
+            <source>%1 device</source>
+            <translation>%1 个设备</translation>
+        </message>
+        <message>
+            <source>%1 devices</source>
+            <translation>%1 个设备</translation>
+        </message>
+        <message>
+            <source>'%1' declares %2 in %3 bytes</source>
+            <translation>“%1”声明 %2，共 %3 字节</translation>
+        </message>
+        <message>
+            <source>the description of at least one device</source>
+            <translation>至少一个设备的描述</translation>
         </message>
         <message>
             <source>indexing blocks</source>
@@ -2311,6 +3991,22 @@
         <message>
             <source>%1 packages</source>
             <translation>%1 个数据包</translation>
+        </message>
+        <message>
+            <source>%1 block</source>
+            <translation>%1 个数据块</translation>
+        </message>
+        <message>
+            <source>%1 blocks</source>
+            <translation>%1 个数据块</translation>
+        </message>
+        <message>
+            <source>'%1' has no points (%2, %3)</source>
+            <translation>“%1”没有点（%2，%3）</translation>
+        </message>
+        <message>
+            <source>an LVX or LVX2 file with points</source>
+            <translation>含有点的 LVX 或 LVX2 文件</translation>
         </message>
         <message>
             <source>the file is cut off or damaged after %1 (%2 % of the file): the frames before that are read</source>
@@ -2343,6 +4039,74 @@
         <message>
             <source>%1: %2, %3 and %4</source>
             <translation>%1：%2，%3 和%4</translation>
+        </message>
+        <message>
+            <source>there is no Ouster JSON file beside '%1'</source>
+            <translation>“%1”旁没有 Ouster 的 JSON 文件</translation>
+        </message>
+        <message>
+            <source>the beams and the packet layout of the sensor, which the packets do not have</source>
+            <translation>传感器的光束和数据包格式，数据包本身不含这些</translation>
+        </message>
+        <message>
+            <source>Put the JSON file that the sensor or its recorder wrote beside the capture, with the same name, or name it with the option sensor</source>
+            <translation>请将传感器或其记录程序写出的 JSON 文件以相同的名称放在抓包文件旁，或用选项 sensor 指定</translation>
+        </message>
+        <message>
+            <source>%1: %2 bytes</source>
+            <translation>%1：%2 字节</translation>
+        </message>
+        <message>
+            <source>, %1: %2 bytes</source>
+            <translation>，%1：%2 字节</translation>
+        </message>
+        <message>
+            <source>none of the JSON files beside '%1' (%2) belongs to it: its packets have %3 bytes</source>
+            <translation>“%1”旁的 JSON 文件（%2）都不属于它：其数据包有 %3 字节</translation>
+        </message>
+        <message>
+            <source>the JSON file of this recording</source>
+            <translation>此记录的 JSON 文件</translation>
+        </message>
+        <message>
+            <source>several Ouster JSON files beside '%1' fit it: %2</source>
+            <translation>“%1”旁有多个 Ouster 的 JSON 文件与之相符：%2</translation>
+        </message>
+        <message>
+            <source>'%1' holds packets of an Ouster sensor, and the option sensor is '%2'</source>
+            <translation>“%1”含有 Ouster 传感器的数据包，而选项 sensor 为“%2”</translation>
+        </message>
+        <message>
+            <source>the packets of '%1' have %2 bytes</source>
+            <translation>“%1”的数据包有 %2 字节</translation>
+        </message>
+        <message>
+            <source>lidar packets of %1 bytes, as '%2' says</source>
+            <translation>“%2”所述的 %1 字节的激光数据包</translation>
+        </message>
+        <message>
+            <source>Is it the JSON file of this recording?</source>
+            <translation>这是此记录的 JSON 文件吗？</translation>
+        </message>
+        <message>
+            <source>'%1' has %2 packets but none with a column of a %3</source>
+            <translation>“%1”有 %2 个数据包，但没有一个含有 %3 的列</translation>
+        </message>
+        <message>
+            <source>'%1' has %2 packets but none with a column of a %3 (%4)</source>
+            <translation>“%1”有 %2 个数据包，但没有一个含有 %3 的列（%4）</translation>
+        </message>
+        <message>
+            <source>lidar packets of %1 bytes, as the JSON file says</source>
+            <translation>JSON 文件所述的 %1 字节的激光数据包</translation>
+        </message>
+        <message>
+            <source>Lidar packets were seen on another port: set the option port to auto</source>
+            <translation>在另一端口上看到激光数据包：请将选项 port 设为 auto</translation>
+        </message>
+        <message>
+            <source>Is the JSON file of this recording?</source>
+            <translation>该 JSON 文件属于此记录吗？</translation>
         </message>
         <message>
             <source>indexing packets</source>
@@ -2437,8 +4201,96 @@
             <translation>%1与惯性单元的数据包等长，但发往其他端口，或其时间是该时钟从未有过的，已舍去</translation>
         </message>
         <message>
+            <source>frame %1 of '%2' can no longer be read</source>
+            <translation>无法再读取“%2”的第 %1 帧</translation>
+        </message>
+        <message>
+            <source>the file as it was when it was opened</source>
+            <translation>与打开时相同的文件</translation>
+        </message>
+        <message>
+            <source>a pcap file</source>
+            <translation>pcap 文件</translation>
+        </message>
+        <message>
+            <source>a pcap file that exists and may be read</source>
+            <translation>存在且可读的 pcap 文件</translation>
+        </message>
+        <message>
+            <source>'%1' is empty</source>
+            <translation>“%1”为空</translation>
+        </message>
+        <message>
+            <source>a pcap or pcapng capture</source>
+            <translation>pcap 或 pcapng 抓包文件</translation>
+        </message>
+        <message>
+            <source>'%1' is not a capture: %2</source>
+            <translation>“%1”不是抓包文件：%2</translation>
+        </message>
+        <message>
+            <source>a pcap or pcapng file</source>
+            <translation>pcap 或 pcapng 文件</translation>
+        </message>
+        <message>
+            <source>'%1' was captured on a link of type %2</source>
+            <translation>“%1”是在类型为 %2 的链路上抓取的</translation>
+        </message>
+        <message>
+            <source>Ethernet, Linux cooked capture, loopback or raw IP</source>
+            <translation>以太网、Linux cooked 抓包、环回或原始 IP</translation>
+        </message>
+        <message>
+            <source>%1 UDP datagram</source>
+            <translation>%1 个 UDP 数据报</translation>
+        </message>
+        <message>
+            <source>%1 UDP datagrams</source>
+            <translation>%1 个 UDP 数据报</translation>
+        </message>
+        <message>
+            <source>'%1' has %2 but no Velodyne data packet to UDP port %3</source>
+            <translation>“%1”有%2，但没有发往 UDP 端口 %3 的 Velodyne 数据包</translation>
+        </message>
+        <message>
+            <source>'%1' has %2 but no Velodyne data packet to UDP port %3 (%4)</source>
+            <translation>“%1”有%2，但没有发往 UDP 端口 %3 的 Velodyne 数据包（%4）</translation>
+        </message>
+        <message>
+            <source>datagrams of 1206 bytes</source>
+            <translation>1206 字节的数据报</translation>
+        </message>
+        <message>
+            <source>Data packets were seen on another port: set the option port to auto</source>
+            <translation>在另一端口上看到数据包：请将选项 port 设为 auto</translation>
+        </message>
+        <message>
+            <source>Is this the recording of a Velodyne sensor?</source>
+            <translation>这是 Velodyne 传感器的记录吗？</translation>
+        </message>
+        <message>
+            <source>'%1' has %2 whose blocks are all damaged</source>
+            <translation>“%1”有%2，其中的数据块全部损坏</translation>
+        </message>
+        <message>
+            <source>data packets of a %1</source>
+            <translation>%1 的数据包</translation>
+        </message>
+        <message>
             <source>the sensor's clock was set %1 during the recording; times continue without the jump</source>
             <translation>记录期间传感器的时钟被调整%1；时间继续，不含跳变</translation>
+        </message>
+        <message>
+            <source>'%1' holds packets of a Velodyne sensor that is not known (%2)</source>
+            <translation>“%1”含有未知的 Velodyne 传感器的数据包（%2）</translation>
+        </message>
+        <message>
+            <source>VLP-16, VLP-32C, VLS-128, HDL-32E or HDL-64E</source>
+            <translation>VLP-16、VLP-32C、VLS-128、HDL-32E 或 HDL-64E</translation>
+        </message>
+        <message>
+            <source>Name the sensor with the option sensor</source>
+            <translation>请用选项 sensor 指定传感器</translation>
         </message>
         <message>
             <source>'%1' calibrates a %2, the capture is of a %3: it was left out</source>
@@ -2449,8 +4301,148 @@
             <translation>每台 %1 的接线和标定各不相同，而“%2”旁没有标定文件：点可能偏差数分米。请将该设备的标定文件（db.xml，或 ROS 的 YAML）放在抓包文件旁</translation>
         </message>
         <message>
+            <source>%1 has %2 values</source>
+            <translation>%1 有 %2 个值</translation>
+        </message>
+        <message>
+            <source>%1, as many as the header line names</source>
+            <translation>%1 个，与标题行的列数相同</translation>
+        </message>
+        <message>
+            <source>'%1' line %2</source>
+            <translation>“%1”第 %2 行</translation>
+        </message>
+        <message>
+            <source>%1 has '%2'</source>
+            <translation>%1 为“%2”</translation>
+        </message>
+        <message>
+            <source>%1 has ''</source>
+            <translation>%1 为“”</translation>
+        </message>
+        <message>
+            <source>a number, with a decimal point</source>
+            <translation>一个数，用小数点</translation>
+        </message>
+        <message>
+            <source>%1 has a time of %2 s and %3 s</source>
+            <translation>%1 的时间为 %2 s 和 %3 s</translation>
+        </message>
+        <message>
+            <source>whole seconds, and a part below a second</source>
+            <translation>整秒，以及不足一秒的部分</translation>
+        </message>
+        <message>
+            <source>%1 is no rotation and translation</source>
+            <translation>%1 不是旋转加平移</translation>
+        </message>
+        <message>
+            <source>the rows of a 3 by 4 matrix</source>
+            <translation>3 x 4 矩阵的各行</translation>
+        </message>
+        <message>
+            <source>%1 has a quaternion of length %2</source>
+            <translation>%1 的四元数长度为 %2</translation>
+        </message>
+        <message>
+            <source>length 1</source>
+            <translation>长度 1</translation>
+        </message>
+        <message>
+            <source>'%1' begins with '%2'</source>
+            <translation>“%1”以“%2”开头</translation>
+        </message>
+        <message>
+            <source>a first line that names the columns, with time and x y z (or longitude latitude height)</source>
+            <translation>第一行为列名，含有 time 和 x y z（或 longitude latitude height）</translation>
+        </message>
+        <message>
+            <source>%1 has time %2 after %3</source>
+            <translation>%1 的时间 %2 在 %3 之后</translation>
+        </message>
+        <message>
+            <source>times that increase</source>
+            <translation>递增的时间</translation>
+        </message>
+        <message>
+            <source>'%1' holds no poses</source>
+            <translation>“%1”中没有位姿</translation>
+        </message>
+        <message>
+            <source>'%1' (%2 bytes) is no SBET file</source>
+            <translation>“%1”（%2 字节）不是 SBET 文件</translation>
+        </message>
+        <message>
+            <source>records of 17 numbers: time, latitude and longitude in radians, height, ...</source>
+            <translation>每条 17 个数的记录：时间、以弧度计的纬度和经度、高度等</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 has more than %3 cells</source>
+            <translation>“%1”第 %2 行的单元格超过 %3 个</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 opens a quote that is never closed</source>
+            <translation>“%1”第 %2 行的引号没有闭合</translation>
+        </message>
+        <message>
+            <source>a closing "</source>
+            <translation>闭合的 "</translation>
+        </message>
+        <message>
+            <source>'%1' is not text</source>
+            <translation>“%1”不是文本</translation>
+        </message>
+        <message>
+            <source>a CSV table</source>
+            <translation>CSV 表</translation>
+        </message>
+        <message>
+            <source>a line with the names of the columns</source>
+            <translation>一行列名</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 has a column without a name</source>
+            <translation>“%1”第 %2 行有一列没有名称</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 names the column '%3' twice</source>
+            <translation>“%1”第 %2 行有两列都名为“%3”</translation>
+        </message>
+        <message>
+            <source>one name per column</source>
+            <translation>每列一个名称</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 has %3 cell</source>
+            <translation>“%1”第 %2 行有 %3 个单元格</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 has %3 cells</source>
+            <translation>“%1”第 %2 行有 %3 个单元格</translation>
+        </message>
+        <message>
+            <source>%1, one per column</source>
+            <translation>%1 个，每列一个</translation>
+        </message>
+        <message>
+            <source>no table is named</source>
+            <translation>没有指定表</translation>
+        </message>
+        <message>
+            <source>a CSV file</source>
+            <translation>CSV 文件</translation>
+        </message>
+        <message>
             <source>%1 positions go back in time and are left out, %2 are kept: look whether two logs were joined, or the clock was set</source>
             <translation>%1 个位置的时间倒退，已舍去，保留 %2 个：请检查是否合并了两份日志，或时钟被调整过</translation>
+        </message>
+        <message>
+            <source>the track has no positions</source>
+            <translation>GNSS 轨迹没有位置</translation>
+        </message>
+        <message>
+            <source>latitude_deg and longitude_deg, or x_m and y_m</source>
+            <translation>列 latitude_deg 和 longitude_deg，或 x_m 和 y_m</translation>
         </message>
         <message>
             <source>%1 positions</source>
@@ -2477,6 +4469,150 @@
             <translation>%1 个历元的两种发送标识（%2）的位置相差超过一米：日志可能含有两台接收机。以 GN 为准，否则以第一个为准</translation>
         </message>
         <message>
+            <source>%1 has no position</source>
+            <translation>%1 没有位置</translation>
+        </message>
+        <message>
+            <source>GGA or RMC sentences with a fix, or rows with coordinates</source>
+            <translation>有定位的 GGA 或 RMC 语句，或有坐标的各行</translation>
+        </message>
+        <message>
+            <source>It was read as %1: set the option format if it is another one</source>
+            <translation>它按 %1 读取：如果是其他格式，请设置选项 format</translation>
+        </message>
+        <message>
+            <source>no track is named</source>
+            <translation>没有指定 GNSS 轨迹</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 has %3 value</source>
+            <translation>“%1”第 %2 行有 %3 个值</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 has %3 values</source>
+            <translation>“%1”第 %2 行有 %3 个值</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 has '%3'</source>
+            <translation>“%1”第 %2 行含有“%3”</translation>
+        </message>
+        <message>
+            <source>time tx ty tz qx qy qz qw</source>
+            <translation>时间和 tx ty tz qx qy qz qw（time tx ty tz qx qy qz qw）</translation>
+        </message>
+        <message>
+            <source>length 1 and the order qx qy qz qw</source>
+            <translation>长度 1，顺序为 qx qy qz qw</translation>
+        </message>
+        <message>
+            <source>12 numbers: the rows of a 3 by 4 matrix</source>
+            <translation>12 个数：3 x 4 矩阵的各行</translation>
+        </message>
+        <message>
+            <source>%1 has no time: there are %2</source>
+            <translation>%1 没有时间：共有 %2 个</translation>
+        </message>
+        <message>
+            <source>one time per pose</source>
+            <translation>每个位姿一个时间</translation>
+        </message>
+        <message>
+            <source>no trajectory is named</source>
+            <translation>没有指定轨迹</translation>
+        </message>
+        <message>
+            <source>'%1' and '%2' differ in their point format</source>
+            <translation>“%1”与“%2”的点格式不同</translation>
+        </message>
+        <message>
+            <source>'%1' and '%2' differ in their coordinate steps</source>
+            <translation>“%1”与“%2”的坐标步长不同</translation>
+        </message>
+        <message>
+            <source>'%1' and '%2' differ in their coordinate steps (the offset)</source>
+            <translation>“%1”与“%2”的坐标步长不同（偏移）</translation>
+        </message>
+        <message>
+            <source>files of one cloud, of the same point format and steps</source>
+            <translation>同一点云的文件，点格式和步长相同</translation>
+        </message>
+        <message>
+            <source>Convert them alike: bole convert</source>
+            <translation>请作同样的转换：bole convert</translation>
+        </message>
+        <message>
+            <source>'%1' is no LAS, LAZ or COPC file</source>
+            <translation>“%1”不是 LAS、LAZ 或 COPC 文件</translation>
+        </message>
+        <message>
+            <source>the coordinates of '%1' are not in metres</source>
+            <translation>“%1”的坐标不以米为单位</translation>
+        </message>
+        <message>
+            <source>a projected coordinate system in metres</source>
+            <translation>以米为单位的投影坐标系</translation>
+        </message>
+        <message>
+            <source>Project the cloud first</source>
+            <translation>请先投影点云</translation>
+        </message>
+        <message>
+            <source>point format</source>
+            <translation>点格式</translation>
+        </message>
+        <message>
+            <source>coordinate steps</source>
+            <translation>坐标步长</translation>
+        </message>
+        <message>
+            <source>coordinate steps (the offset)</source>
+            <translation>坐标步长（偏移）</translation>
+        </message>
+        <message>
+            <source>the buffer of %1 m is wider than the tile of %2 m</source>
+            <translation>缓冲区 %1 m 比分块 %2 m 更宽</translation>
+        </message>
+        <message>
+            <source>a tile that is at least as wide as its buffer</source>
+            <translation>不小于其缓冲区的分块</translation>
+        </message>
+        <message>
+            <source>Set tile to several times buffer</source>
+            <translation>请将 tile 设为 buffer 的数倍</translation>
+        </message>
+        <message>
+            <source>the files hold no points</source>
+            <translation>各文件中没有点</translation>
+        </message>
+        <message>
+            <source>no file is given</source>
+            <translation>没有给出文件</translation>
+        </message>
+        <message>
+            <source>the files of a cloud</source>
+            <translation>点云的各文件</translation>
+        </message>
+        <message>
+            <source>Set files</source>
+            <translation>请设置 files</translation>
+        </message>
+        <message>
+            <source>the points lie in more than %1 tiles of %2 m</source>
+            <translation>点分布在超过 %1 个 %2 m 的分块中</translation>
+        </message>
+        <message>
+            <source>tiles that fit the cloud</source>
+            <translation>与点云相称的分块</translation>
+        </message>
+        <message>
+            <source>Set tile to a larger side; bole info shows how far the cloud reaches</source>
+            <translation>请将 tile 设为更大的边长；bole info 显示点云的范围</translation>
+        </message>
+        <message>
+            <source>room for the records of all tiles, uncompressed</source>
+            <translation>可容纳所有分块记录（未压缩）的空间</translation>
+        </message>
+        <message>
             <source>writing tiles</source>
             <translation>写出分块</translation>
         </message>
@@ -2485,20 +4621,300 @@
             <translation>%1 个点分入 %2 个 %3 m 的分块，缓冲区 %4 m，其中 %5 个点在缓冲区内重复</translation>
         </message>
         <message>
+            <source>the compressed file has no usable chunk table</source>
+            <translation>压缩文件没有可用的数据块表</translation>
+        </message>
+        <message>
+            <source>chunks that can be read one by one</source>
+            <translation>可以逐块读取的数据块</translation>
+        </message>
+        <message>
+            <source>Write it anew: bole convert FILE NEW.laz</source>
+            <translation>请重新写出：bole convert FILE NEW.laz</translation>
+        </message>
+        <message>
+            <source>Write camera.json (pipelines/calibrate_camera.json measures it), or set camera=FILE, camera=fx,fy,cx,cy or one of %1</source>
+            <translation>请编写 camera.json（由 pipelines/calibrate_camera.json 测定），或设置 camera=FILE、camera=fx,fy,cx,cy 或下列之一：%1</translation>
+        </message>
+        <message>
+            <source>camera is '%1'</source>
+            <translation>选项 camera 为“%1”</translation>
+        </message>
+        <message>
+            <source>a file camera.json, four numbers fx,fy,cx,cy in pixels, or one of %1</source>
+            <translation>文件 camera.json，以像素计的四个数 fx,fy,cx,cy，或下列之一：%1</translation>
+        </message>
+        <message>
             <source>fx and fy of the camera have different signs: its axes, and those of the world, are left-handed, so that everything is mirrored</source>
             <translation>相机的 fx 与 fy 符号不同：相机及世界坐标轴为左手系，因此一切成镜像</translation>
+        </message>
+        <message>
+            <source>the views have no file of their camera</source>
+            <translation>视图没有相机的文件</translation>
+        </message>
+        <message>
+            <source>the camera of the views</source>
+            <translation>视图的相机</translation>
         </message>
         <message>
             <source>the camera is not known: its focal length is a guess that serves calibration only</source>
             <translation>相机未知：其焦距是只能用于标定的估计值</translation>
         </message>
         <message>
+            <source>the entry 'distortion' has %1 numbers</source>
+            <translation>条目“distortion”有 %1 个数</translation>
+        </message>
+        <message>
+            <source>k1, k2, p1, p2 and k3</source>
+            <translation>k1、k2、p1、p2 和 k3</translation>
+        </message>
+        <message>
+            <source>Calibrate with the model of five coefficients</source>
+            <translation>请用五个系数的模型标定</translation>
+        </message>
+        <message>
+            <source>the entry 'intrinsic_matrix' is %1</source>
+            <translation>条目“intrinsic_matrix”为 %1</translation>
+        </message>
+        <message>
+            <source>fx, 0, 0, 0, fy, 0, cx, cy, 1</source>
+            <translation>九个数 fx, 0, 0, 0, fy, 0, cx, cy, 1</translation>
+        </message>
+        <message>
             <source>camera.json has no depth_scale: 1000 units of the depth image per metre are assumed</source>
             <translation>camera.json 没有 depth_scale：假定深度图像每米 1000 个单位</translation>
         </message>
         <message>
+            <source>the entry 'depth_scale' is %1</source>
+            <translation>条目“depth_scale”为 %1</translation>
+        </message>
+        <message>
+            <source>units of the depth image per metre, from 1 to 1000000 (1000: millimetres)</source>
+            <translation>深度图像每米的单位数，从 1 至 1000000（1000：毫米）</translation>
+        </message>
+        <message>
+            <source>Metres per unit are given the other way round: 0.001 is 1000</source>
+            <translation>如果给出的是每单位的米数，则应取倒数：0.001 即 1000</translation>
+        </message>
+        <message>
+            <source>the entry 'depth' is %1</source>
+            <translation>条目“depth”为 %1</translation>
+        </message>
+        <message>
+            <source>a camera: width, height, fx, fy, cx, cy</source>
+            <translation>相机：width、height、fx、fy、cx、cy</translation>
+        </message>
+        <message>
             <source>camera.json has a depth camera and no depth_to_color: the two cameras are taken to be at one place</source>
             <translation>camera.json 有深度相机而没有 depth_to_color：视为两台相机在同一位置</translation>
+        </message>
+        <message>
+            <source>a matrix of 4 x 4 numbers</source>
+            <translation>4 x 4 的数值矩阵</translation>
+        </message>
+        <message>
+            <source>depth_to_color moves by %1 m</source>
+            <translation>depth_to_color 移动了 %1 m</translation>
+        </message>
+        <message>
+            <source>metres between two cameras of one housing</source>
+            <translation>同一机身内两台相机之间以米计的距离</translation>
+        </message>
+        <message>
+            <source>If these are millimetres, divide them by 1000</source>
+            <translation>如果以毫米计，请除以 1000</translation>
+        </message>
+        <message>
+            <source>the entry 'squares' is %1</source>
+            <translation>条目“squares”为 %1</translation>
+        </message>
+        <message>
+            <source>two whole numbers from 2 to 100: columns and rows</source>
+            <translation>两个 2 至 100 的整数：列数和行数</translation>
+        </message>
+        <message>
+            <source>the entry 'dictionary' is '%1'</source>
+            <translation>条目“dictionary”为“%1”</translation>
+        </message>
+        <message>
+            <source>a dictionary of OpenCV, such as DICT_4X4_50 or DICT_6X6_250</source>
+            <translation>OpenCV 的字典，例如 DICT_4X4_50 或 DICT_6X6_250</translation>
+        </message>
+        <message>
+            <source>a board of %1 x %2 squares has %3 markers, %4 has %5</source>
+            <translation>%1 x %2 个方格的标定板有 %3 个标志，而 %4 有 %5 个</translation>
+        </message>
+        <message>
+            <source>a dictionary that is large enough</source>
+            <translation>足够大的字典</translation>
+        </message>
+        <message>
+            <source>marker_mm is %1 and square_mm %2</source>
+            <translation>marker_mm 为 %1，square_mm 为 %2</translation>
+        </message>
+        <message>
+            <source>markers smaller than the squares, and not below a fifth of them</source>
+            <translation>标志小于方格，且不小于方格的五分之一</translation>
+        </message>
+        <message>
+            <source>an object with width, height, fx, fy, cx, cy, distortion (five numbers) and depth_scale</source>
+            <translation>含有 width、height、fx、fy、cx、cy、distortion（五个数）和 depth_scale 的对象</translation>
+        </message>
+        <message>
+            <source>the entry 'depth_bias' is %1</source>
+            <translation>条目“depth_bias”为 %1</translation>
+        </message>
+        <message>
+            <source>up to three numbers b0, b1, b2 in metres</source>
+            <translation>至多三个以米计的数 b0、b1、b2</translation>
+        </message>
+        <message>
+            <source>{"type": "charuco", "dictionary": "DICT_4X4_50", "squares": [11, 9], "square_mm": 30, "marker_mm": 22}</source>
+            <translation>例如 {"type": "charuco", "dictionary": "DICT_4X4_50", "squares": [11, 9], "square_mm": 30, "marker_mm": 22}</translation>
+        </message>
+        <message>
+            <source>the entry 'type' is '%1'</source>
+            <translation>条目“type”为“%1”</translation>
+        </message>
+        <message>
+            <source>charuco or chessboard</source>
+            <translation>charuco 或 chessboard</translation>
+        </message>
+        <message>
+            <source>square_mm is %1</source>
+            <translation>square_mm 为 %1</translation>
+        </message>
+        <message>
+            <source>millimetres, from 1 to 1000</source>
+            <translation>以毫米计，从 1 至 1000</translation>
+        </message>
+        <message>
+            <source>Metres times 1000 are millimetres</source>
+            <translation>米乘以 1000 即毫米</translation>
+        </message>
+        <message>
+            <source>the entry 'first_square' is '%1'</source>
+            <translation>条目“first_square”为“%1”</translation>
+        </message>
+        <message>
+            <source>black or white</source>
+            <translation>black 或 white</translation>
+        </message>
+        <message>
+            <source>the file is cut off</source>
+            <translation>文件被截断</translation>
+        </message>
+        <message>
+            <source>a whole file of COLMAP</source>
+            <translation>完整的 COLMAP 文件</translation>
+        </message>
+        <message>
+            <source>the file claims %1 entries and has %2 bytes for them</source>
+            <translation>文件声明 %1 个条目，而只有 %2 字节</translation>
+        </message>
+        <message>
+            <source>a name has no end</source>
+            <translation>名称没有结尾</translation>
+        </message>
+        <message>
+            <source>a camera has the model %1</source>
+            <translation>相机的模型为%1</translation>
+        </message>
+        <message>
+            <source>SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL or OPENCV</source>
+            <translation>SIMPLE_PINHOLE、PINHOLE、SIMPLE_RADIAL、RADIAL 或 OPENCV</translation>
+        </message>
+        <message>
+            <source>Undistort the images with colmap image_undistorter first</source>
+            <translation>请先用 colmap image_undistorter 对图像去畸变</translation>
+        </message>
+        <message>
+            <source>a camera has %1 x %2 pixels</source>
+            <translation>相机的尺寸为 %1 x %2 像素</translation>
+        </message>
+        <message>
+            <source>the size of its images</source>
+            <translation>其图像的尺寸</translation>
+        </message>
+        <message>
+            <source>two cameras have the number %1</source>
+            <translation>两台相机的编号都是 %1</translation>
+        </message>
+        <message>
+            <source>a number of its own for each</source>
+            <translation>每台各有编号</translation>
+        </message>
+        <message>
+            <source>%1 has a value that is no number</source>
+            <translation>%1 有一个值不是数</translation>
+        </message>
+        <message>
+            <source>%1 has %2 words</source>
+            <translation>%1 有 %2 个词</translation>
+        </message>
+        <message>
+            <source>CAMERA_ID MODEL WIDTH HEIGHT PARAMETERS</source>
+            <translation>CAMERA_ID MODEL WIDTH HEIGHT PARAMETERS 各项</translation>
+        </message>
+        <message>
+            <source>%1 has %2 parameters</source>
+            <translation>%1 有 %2 个参数</translation>
+        </message>
+        <message>
+            <source>%1 for %2</source>
+            <translation>%1 个，对应 %2</translation>
+        </message>
+        <message>
+            <source>number %1</source>
+            <translation>编号 %1</translation>
+        </message>
+        <message>
+            <source>camera %1</source>
+            <translation>相机 %1</translation>
+        </message>
+        <message>
+            <source>length 1, qw first</source>
+            <translation>长度 1，qw 在前</translation>
+        </message>
+        <message>
+            <source>IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, and a line of points</source>
+            <translation>IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME 各项，以及一行点</translation>
+        </message>
+        <message>
+            <source>image %1</source>
+            <translation>图像 %1</translation>
+        </message>
+        <message>
+            <source>cameras of COLMAP</source>
+            <translation>COLMAP 的相机</translation>
+        </message>
+        <message>
+            <source>the file holds no cameras</source>
+            <translation>文件中没有相机</translation>
+        </message>
+        <message>
+            <source>images of COLMAP</source>
+            <translation>COLMAP 的图像</translation>
+        </message>
+        <message>
+            <source>the file holds no images</source>
+            <translation>文件中没有图像</translation>
+        </message>
+        <message>
+            <source>images that COLMAP registered</source>
+            <translation>COLMAP 已配准的图像</translation>
+        </message>
+        <message>
+            <source>a point</source>
+            <translation>一个点</translation>
+        </message>
+        <message>
+            <source>point %1</source>
+            <translation>点 %1</translation>
+        </message>
+        <message>
+            <source>view %1 of '%2'</source>
+            <translation>“%2”的视图 %1</translation>
         </message>
         <message>
             <source>%1 images are%2</source>
@@ -2569,6 +4985,30 @@
             <translation>查看图像</translation>
         </message>
         <message>
+            <source>'%1' has no view that can be used: %2</source>
+            <translation>“%1”没有可用的视图：%2</translation>
+        </message>
+        <message>
+            <source>colour images of the size of their camera</source>
+            <translation>与相机尺寸相同的彩色图像</translation>
+        </message>
+        <message>
+            <source>Calibrate the camera at the size of its images</source>
+            <translation>请按图像的尺寸标定相机</translation>
+        </message>
+        <message>
+            <source>'%1' has no depth that can be used: %2</source>
+            <translation>“%1”没有可用的深度：%2</translation>
+        </message>
+        <message>
+            <source>depth images with one channel of 16 bits, and of the size of their camera</source>
+            <translation>单通道 16 位、且与相机尺寸相同的深度图像</translation>
+        </message>
+        <message>
+            <source>Images that are not registered to colour need the entries depth and depth_to_color in camera.json</source>
+            <translation>没有与彩色配准的图像需要 camera.json 中的条目 depth 和 depth_to_color</translation>
+        </message>
+        <message>
             <source>colour</source>
             <translation>彩色</translation>
         </message>
@@ -2603,6 +5043,34 @@
         <message>
             <source>views have no pose in %1</source>
             <translation>个视图在 %1 中没有位姿</translation>
+        </message>
+        <message>
+            <source>a PNG, JPEG or PGM image</source>
+            <translation>PNG、JPEG 或 PGM 图像</translation>
+        </message>
+        <message>
+            <source>'%1' is no whole image (%2 bytes)</source>
+            <translation>“%1”不是完整的图像（%2 字节）</translation>
+        </message>
+        <message>
+            <source>the file is no JSON object, or it is cut off</source>
+            <translation>文件不是 JSON 对象，或被截断</translation>
+        </message>
+        <message>
+            <source>the entry '%1' is missing</source>
+            <translation>缺少条目“%1”</translation>
+        </message>
+        <message>
+            <source>the entry '%1' is %2</source>
+            <translation>条目“%1”为 %2</translation>
+        </message>
+        <message>
+            <source>the entry 'width' is %1</source>
+            <translation>条目“width”为 %1</translation>
+        </message>
+        <message>
+            <source>the entry 'height' is %1</source>
+            <translation>条目“height”为 %1</translation>
         </message>
         <message>
             <source>the given poses are not used: %1</source>
@@ -2641,16 +5109,104 @@
             <translation>长度以%1的单位计，未必是米：请给出标定板或已知长度</translation>
         </message>
         <message>
+            <source>'%1' does not exist</source>
+            <translation>“%1”不存在</translation>
+        </message>
+        <message>
+            <source>'%1' holds images, and none has a number as its name</source>
+            <translation>“%1”中有图像，但没有一幅以编号命名</translation>
+        </message>
+        <message>
+            <source>'%1' holds no images</source>
+            <translation>“%1”中没有图像</translation>
+        </message>
+        <message>
+            <source>images 000000.png, 000001.png, ... (.png or .jpg)</source>
+            <translation>图像 000000.png、000001.png 等（.png 或 .jpg）</translation>
+        </message>
+        <message>
+            <source>the images of '%1' are not found (first: '%2')</source>
+            <translation>找不到“%1”的图像（第一幅：“%2”）</translation>
+        </message>
+        <message>
+            <source>a folder images/ in the folder of the model or above it</source>
+            <translation>模型所在文件夹或其上级中的文件夹 images/</translation>
+        </message>
+        <message>
+            <source>'%1' holds no model of COLMAP</source>
+            <translation>“%1”中没有 COLMAP 模型</translation>
+        </message>
+        <message>
+            <source>cameras and images, .bin or .txt</source>
+            <translation>cameras 和 images，.bin 或 .txt</translation>
+        </message>
+        <message>
+            <source>the option camera is set, and the model has the cameras</source>
+            <translation>设置了选项 camera，而模型已有相机</translation>
+        </message>
+        <message>
+            <source>one of both</source>
+            <translation>两者之一</translation>
+        </message>
+        <message>
+            <source>Leave camera empty</source>
+            <translation>请将 camera 留空</translation>
+        </message>
+        <message>
+            <source>image '%1' has camera %2</source>
+            <translation>图像“%1”的相机为 %2</translation>
+        </message>
+        <message>
+            <source>one of the cameras file</source>
+            <translation>cameras 文件中的一台相机</translation>
+        </message>
+        <message>
             <source>the model of COLMAP</source>
             <translation>COLMAP 模型</translation>
+        </message>
+        <message>
+            <source>'%1' has no folder of colour images</source>
+            <translation>“%1”没有彩色图像的文件夹</translation>
+        </message>
+        <message>
+            <source>color/ and depth/</source>
+            <translation>文件夹 color/ 和 depth/</translation>
+        </message>
+        <message>
+            <source>'%1' holds no images that are named by a number</source>
+            <translation>“%1”中没有以编号命名的图像</translation>
+        </message>
+        <message>
+            <source>0.png, 1.png, ...</source>
+            <translation>0.png、1.png 等</translation>
         </message>
         <message>
             <source>the scale of the depth is not given: 1000 units per metre are assumed. Set depth_scale (ICL and TUM: 5000)</source>
             <translation>没有给出深度的比例：假定每米 1000 个单位。请设置 depth_scale（ICL 和 TUM：5000）</translation>
         </message>
         <message>
+            <source>.png, .jpg or .pgm</source>
+            <translation>.png、.jpg 或 .pgm</translation>
+        </message>
+        <message>
             <source>transforms.json is read, and the %1 files beside it are not</source>
             <translation>读取 transforms.json，其旁的 %1 个文件不读取</translation>
+        </message>
+        <message>
+            <source>none of its images is there (first: '%1')</source>
+            <translation>其图像一幅也没有（第一幅：“%1”）</translation>
+        </message>
+        <message>
+            <source>the images</source>
+            <translation>这些图像</translation>
+        </message>
+        <message>
+            <source>the option camera is set, and transforms.json has the cameras</source>
+            <translation>设置了选项 camera，而 transforms.json 已有相机</translation>
+        </message>
+        <message>
+            <source>'%1' holds no transforms.json</source>
+            <translation>“%1”中没有 transforms.json</translation>
         </message>
         <message>
             <source>they have no pose</source>
@@ -2669,8 +5225,68 @@
             <translation>个视图没有深度图像</translation>
         </message>
         <message>
+            <source>'%1' holds no images NAME_Color_TIME.png</source>
+            <translation>“%1”中没有名为 NAME_Color_TIME.png 的图像</translation>
+        </message>
+        <message>
+            <source>exported images</source>
+            <translation>导出的图像</translation>
+        </message>
+        <message>
+            <source>'%1' has the time of another image</source>
+            <translation>“%1”的时间与另一幅图像相同</translation>
+        </message>
+        <message>
+            <source>one recording in a folder</source>
+            <translation>一个文件夹中只有一次记录</translation>
+        </message>
+        <message>
             <source>there are no images NAME_Depth_TIME.png: the views have no depth</source>
             <translation>没有名为 NAME_Depth_TIME.png 的图像：视图没有深度</translation>
+        </message>
+        <message>
+            <source>3 x 3 numbers</source>
+            <translation>3 x 3 个数</translation>
+        </message>
+        <message>
+            <source>3 numbers</source>
+            <translation>3 个数</translation>
+        </message>
+        <message>
+            <source>rotmat and tvec are no pose</source>
+            <translation>rotmat 和 tvec 不是位姿</translation>
+        </message>
+        <message>
+            <source>3 x 3 and 3 numbers</source>
+            <translation>3 x 3 个数和 3 个数</translation>
+        </message>
+        <message>
+            <source>fx, fy, cx, cy, k1, k2, p1, p2</source>
+            <translation>参数 fx、fy、cx、cy、k1、k2、p1、p2</translation>
+        </message>
+        <message>
+            <source>the camera model is %1 with %2 parameters</source>
+            <translation>相机模型为 %1，有 %2 个参数</translation>
+        </message>
+        <message>
+            <source>the metadata of an image</source>
+            <translation>图像的元数据</translation>
+        </message>
+        <message>
+            <source>x, y, z, pan and tilt</source>
+            <translation>x、y、z、pan 和 tilt</translation>
+        </message>
+        <message>
+            <source>the pose has %1 numbers</source>
+            <translation>位姿有 %1 个数</translation>
+        </message>
+        <message>
+            <source>'%1' describes no image</source>
+            <translation>“%1”没有描述任何图像</translation>
+        </message>
+        <message>
+            <source>files 00000_rgb.json</source>
+            <translation>文件 00000_rgb.json 等</translation>
         </message>
         <message>
             <source>files of metadata cannot be used</source>
@@ -2683,6 +5299,14 @@
         <message>
             <source>%1 poses are those that the arm was sent to, not measured: estimate the poses from the images</source>
             <translation>%1 个位姿是机械臂的指令位姿，不是测得的：请由图像估计位姿</translation>
+        </message>
+        <message>
+            <source>'%1' is no matrix of a camera</source>
+            <translation>“%1”不是相机的矩阵</translation>
+        </message>
+        <message>
+            <source>fx 0 cx / 0 fy cy / 0 0 1</source>
+            <translation>矩阵 fx 0 cx / 0 fy cy / 0 0 1</translation>
         </message>
         <message>
             <source>there are no files of poses</source>
@@ -2705,12 +5329,28 @@
             <translation>没有 intrinsic_color.txt：视为彩色已与深度配准</translation>
         </message>
         <message>
+            <source>'%1' holds no files frame-000000.color.png</source>
+            <translation>“%1”中没有文件 frame-000000.color.png 等</translation>
+        </message>
+        <message>
+            <source>the layout of 7-Scenes</source>
+            <translation>7-Scenes 的目录结构</translation>
+        </message>
+        <message>
             <source>the folder</source>
             <translation>文件夹</translation>
         </message>
         <message>
             <source>there is no camera-intrinsics.txt: the depth camera of 7-Scenes is taken (585, 585, 320, 240)</source>
             <translation>没有 camera-intrinsics.txt：采用 7-Scenes 的深度相机（585, 585, 320, 240）</translation>
+        </message>
+        <message>
+            <source>0.jpg, 1.jpg, ...</source>
+            <translation>0.jpg、1.jpg 等</translation>
+        </message>
+        <message>
+            <source>a time and the name of a file, or both twice</source>
+            <translation>一个时间和一个文件名，或两者各两个</translation>
         </message>
         <message>
             <source>left out</source>
@@ -2721,12 +5361,64 @@
             <translation>个视图与另一个视图时间相同</translation>
         </message>
         <message>
+            <source>the associations name one file in a line</source>
+            <translation>关联文件每行只有一个文件名</translation>
+        </message>
+        <message>
+            <source>colour and depth in each line</source>
+            <translation>每行有彩色和深度</translation>
+        </message>
+        <message>
             <source>views have no depth image within 20 ms</source>
             <translation>个视图在 20 ms 内没有深度图像</translation>
         </message>
         <message>
+            <source>'%1' lists no colour images</source>
+            <translation>“%1”没有列出彩色图像</translation>
+        </message>
+        <message>
+            <source>lines 'time name'</source>
+            <translation>“时间 文件名”（time name）各行</translation>
+        </message>
+        <message>
             <source>the camera is %1, by the name of the recording; camera=FILE gives another one</source>
             <translation>按记录的名称，相机为 %1；camera=FILE 可指定其他相机</translation>
+        </message>
+        <message>
+            <source>has color/ and no camera.json</source>
+            <translation>有 color/ 而没有 camera.json</translation>
+        </message>
+        <message>
+            <source>holds %1 images and no file of their camera</source>
+            <translation>中有 %1 幅图像，而没有其相机的文件</translation>
+        </message>
+        <message>
+            <source>holds no views; its folder '%1' does</source>
+            <translation>中没有视图；其下的文件夹“%1”中有</translation>
+        </message>
+        <message>
+            <source>holds no views (first entry: '%1')</source>
+            <translation>中没有视图（第一个条目：“%1”）</translation>
+        </message>
+        <message>
+            <source>no folder of views is named</source>
+            <translation>没有指定视图的文件夹</translation>
+        </message>
+        <message>
+            <source>Set the option folder</source>
+            <translation>请设置选项 folder</translation>
+        </message>
+        <message>
+            <source>the folder '%1' %2</source>
+            <translation>文件夹“%1”%2</translation>
+        </message>
+        <message>
+            <source>A camera is given by camera.json in the folder (pipelines/calibrate_camera.json measures it)</source>
+            <translation>相机由文件夹中的 camera.json 给出（由 pipelines/calibrate_camera.json 测定）</translation>
+        </message>
+        <message>
+            <source>'%1' is no file of views</source>
+            <translation>“%1”不是视图的文件</translation>
         </message>
         <message>
             <source>the depth images that were looked at hold no depth</source>
@@ -2737,8 +5429,168 @@
             <translation>按每米 %2 个单位，一半的深度超过 %1 m。如果不对，请设置 depth_scale（1000：毫米）</translation>
         </message>
         <message>
+            <source>views %1 and %2 have the same time</source>
+            <translation>视图 %1 和 %2 的时间相同</translation>
+        </message>
+        <message>
+            <source>'%1' pose %2 has no line of numbers above it</source>
+            <translation>“%1”的位姿 %2 之上没有数字行</translation>
+        </message>
+        <message>
+            <source>per view: tx ty tz qx qy qz qw, a time before them, 12 or 16 numbers of a matrix, or 4 lines of a matrix</source>
+            <translation>每个视图：tx ty tz qx qy qz qw，其前可有时间，或矩阵的 12 或 16 个数，或矩阵的 4 行</translation>
+        </message>
+        <message>
+            <source>'%1' pose %2 is cut off or no matrix</source>
+            <translation>“%1”的位姿 %2 被截断或不是矩阵</translation>
+        </message>
+        <message>
+            <source>'%1' has lines of %2 numbers</source>
+            <translation>“%1”的各行有 %2 个数</translation>
+        </message>
+        <message>
+            <source>'%1' pose %2 has %3 numbers</source>
+            <translation>“%1”的位姿 %2 有 %3 个数</translation>
+        </message>
+        <message>
+            <source>'%1' pose %2</source>
+            <translation>“%1”的位姿 %2</translation>
+        </message>
+        <message>
+            <source>%1 has %2 numbers</source>
+            <translation>%1 有 %2 个数</translation>
+        </message>
+        <message>
+            <source>4 x 4 numbers, rows first: a rotation and a translation</source>
+            <translation>4 x 4 个数，按行排列：旋转和平移</translation>
+        </message>
+        <message>
+            <source>the camera model is a fisheye</source>
+            <translation>相机模型为鱼眼</translation>
+        </message>
+        <message>
+            <source>the camera model is 'PINHOLE'</source>
+            <translation>相机模型为“PINHOLE”</translation>
+        </message>
+        <message>
+            <source>the camera model is '%1'</source>
+            <translation>相机模型为“%1”</translation>
+        </message>
+        <message>
+            <source>PINHOLE, OPENCV, SIMPLE_RADIAL or RADIAL</source>
+            <translation>PINHOLE、OPENCV、SIMPLE_RADIAL 或 RADIAL</translation>
+        </message>
+        <message>
+            <source>Undistort the images first</source>
+            <translation>请先对图像去畸变</translation>
+        </message>
+        <message>
+            <source>the camera has a coefficient k4</source>
+            <translation>相机含有系数 k4</translation>
+        </message>
+        <message>
+            <source>the image is %1 x %2 pixels</source>
+            <translation>图像为 %1 x %2 像素</translation>
+        </message>
+        <message>
+            <source>there is neither fl_x nor camera_angle_x</source>
+            <translation>既没有 fl_x 也没有 camera_angle_x</translation>
+        </message>
+        <message>
+            <source>camera_angle_x is %1</source>
+            <translation>camera_angle_x 为 %1</translation>
+        </message>
+        <message>
+            <source>fl_x in pixels, or camera_angle_x in radians, above 0 and below pi</source>
+            <translation>以像素计的 fl_x，或以弧度计、大于 0 且小于 π 的 camera_angle_x</translation>
+        </message>
+        <message>
+            <source>4 x 4 numbers</source>
+            <translation>4 x 4 个数</translation>
+        </message>
+        <message>
+            <source>an object with frames (file_path, transform_matrix) and camera_angle_x or fl_x</source>
+            <translation>含有 frames（file_path、transform_matrix）和 camera_angle_x 或 fl_x 的对象</translation>
+        </message>
+        <message>
+            <source>the file has no views ('frames')</source>
+            <translation>文件没有视图（“frames”）</translation>
+        </message>
+        <message>
+            <source>depth_unit_scale_factor is %1</source>
+            <translation>depth_unit_scale_factor 为 %1</translation>
+        </message>
+        <message>
+            <source>metres per unit, from 0.000001 to 1</source>
+            <translation>每单位的米数，从 0.000001 至 1</translation>
+        </message>
+        <message>
+            <source>it is %1</source>
+            <translation>其值为 %1</translation>
+        </message>
+        <message>
+            <source>it has no file_path</source>
+            <translation>没有 file_path</translation>
+        </message>
+        <message>
+            <source>%1 is no whole image</source>
+            <translation>%1 不是完整的图像</translation>
+        </message>
+        <message>
+            <source>a whole PNG, JPEG or PGM image</source>
+            <translation>完整的 PNG、JPEG 或 PGM 图像</translation>
+        </message>
+        <message>
+            <source>%1 is cut off</source>
+            <translation>%1 被截断</translation>
+        </message>
+        <message>
+            <source>%1 cannot be decoded: %2</source>
+            <translation>无法解码 %1：%2</translation>
+        </message>
+        <message>
+            <source>%1 is damaged or cut off</source>
+            <translation>%1 已损坏或被截断</translation>
+        </message>
+        <message>
+            <source>%1 cannot be encoded</source>
+            <translation>无法编码 %1</translation>
+        </message>
+        <message>
+            <source>an image that is not empty, .png or .jpg</source>
+            <translation>非空的图像，.png 或 .jpg</translation>
+        </message>
+        <message>
+            <source>%1 is no colour image</source>
+            <translation>%1 不是彩色图像</translation>
+        </message>
+        <message>
+            <source>%1 has %2 channels of %3 bits</source>
+            <translation>%1 有 %2 个 %3 位通道</translation>
+        </message>
+        <message>
+            <source>depth images of one channel and 16 bits</source>
+            <translation>单通道 16 位的深度图像</translation>
+        </message>
+        <message>
+            <source>%1 is no depth image</source>
+            <translation>%1 不是深度图像</translation>
+        </message>
+        <message>
+            <source> or %1 (%2)</source>
+            <translation> 或 %1（%2）</translation>
+        </message>
+        <message>
             <source>the option crs has no effect: the positions of the file are no longitudes and latitudes</source>
             <translation>选项 crs 不起作用：文件中的位置不是经度和纬度</translation>
+        </message>
+        <message>
+            <source>the positions of the trajectory are longitudes and latitudes</source>
+            <translation>轨迹的位置是经度和纬度</translation>
+        </message>
+        <message>
+            <source>the coordinate system of the points</source>
+            <translation>点的坐标系</translation>
         </message>
         <message>
             <source>the path was projected to %1; its heights are above the ellipsoid, unless crs has a height system. Those of the points must be the same</source>
@@ -2771,6 +5623,18 @@
         <message>
             <source>%1 poses</source>
             <translation>%1 个位姿</translation>
+        </message>
+        <message>
+            <source>there is no folder to write the tiles into</source>
+            <translation>没有可写出分块的文件夹</translation>
+        </message>
+        <message>
+            <source>an output folder</source>
+            <translation>输出文件夹</translation>
+        </message>
+        <message>
+            <source>Give --out DIR</source>
+            <translation>请用 --out DIR 指定</translation>
         </message>
         <message>
             <source>%1 x %2 cells of %3 m</source>
