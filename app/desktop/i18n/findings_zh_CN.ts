@@ -7016,6 +7016,425 @@
         </message>
     </context>
     <context>
+        <name>sensor</name>
+        <message>
+            <source>the calibration enables %1 lasers</source>
+            <translation>标定文件启用了 %1 个激光器</translation>
+        </message>
+        <message>
+            <source>128, 64, 32 or 16 (Velodyne)</source>
+            <translation>128、64、32 或 16 个（Velodyne）</translation>
+        </message>
+        <message>
+            <source>laser %1 is there twice</source>
+            <translation>激光器 %1 重复</translation>
+        </message>
+        <message>
+            <source>one entry per laser</source>
+            <translation>每个激光器一项</translation>
+        </message>
+        <message>
+            <source>laser %1 is absent</source>
+            <translation>缺少激光器 %1</translation>
+        </message>
+        <message>
+            <source>all %1 lasers of a %2</source>
+            <translation>%2 的全部 %1 个激光器</translation>
+        </message>
+        <message>
+            <source>%1 is '%2'</source>
+            <translation>%1 为“%2”</translation>
+        </message>
+        <message>
+            <source>the file is no correction table</source>
+            <translation>文件不是校正表</translation>
+        </message>
+        <message>
+            <source>the header 'Laser id,Elevation,Azimuth' and a line per laser</source>
+            <translation>标题行“Laser id,Elevation,Azimuth”和每个激光器一行</translation>
+        </message>
+        <message>
+            <source>the correction file has the line '%1'</source>
+            <translation>校正文件含有一行“%1”</translation>
+        </message>
+        <message>
+            <source>a laser from 1 to %1, elevation and azimuth in degrees</source>
+            <translation>1 至 %1 的激光器编号，以度计的仰角和方位角</translation>
+        </message>
+        <message>
+            <source>the correction file has %1 lasers</source>
+            <translation>校正文件有 %1 个激光器</translation>
+        </message>
+        <message>
+            <source>%1, as the %2 has</source>
+            <translation>%1 个，与 %2 相同</translation>
+        </message>
+        <message>
+            <source>the sensor %1 has %2 lasers</source>
+            <translation>传感器 %1 有 %2 个激光器</translation>
+        </message>
+        <message>
+            <source>%1, as the packets have</source>
+            <translation>%1 个，与数据包相同</translation>
+        </message>
+        <message>
+            <source>the sensor %1 does not send Hesai packets that are known</source>
+            <translation>传感器 %1 不发送已知的 Hesai 数据包</translation>
+        </message>
+        <message>
+            <source>a PandarXT-32 or Pandar40P</source>
+            <translation>PandarXT-32 或 Pandar40P</translation>
+        </message>
+        <message>
+            <source>a firing of %1 echoes</source>
+            <translation>一次发射有 %1 个回波</translation>
+        </message>
+        <message>
+            <source>%1, one per laser of the %2</source>
+            <translation>%1 个，%2 的每个激光器一个</translation>
+        </message>
+        <message>
+            <source>the sensor %1 does not send Ouster packets</source>
+            <translation>传感器 %1 不发送 Ouster 数据包</translation>
+        </message>
+        <message>
+            <source>an Ouster sensor</source>
+            <translation>Ouster 传感器</translation>
+        </message>
+        <message>
+            <source>a turn of the %1 at %2 revolutions per second has %3 columns</source>
+            <translation>%1 以每秒 %2 圈旋转时每圈有 %3 列</translation>
+        </message>
+        <message>
+            <source>a multiple of 16, as with 5, 10 or 20 revolutions per second</source>
+            <translation>16 的倍数，例如每秒 5、10 或 20 圈时</translation>
+        </message>
+        <message>
+            <source>a column of %1 echoes</source>
+            <translation>一列有 %1 个回波</translation>
+        </message>
+        <message>
+            <source>'%1' is not a list of at most 256 numbers</source>
+            <translation>“%1”不是至多 256 个数的列表</translation>
+        </message>
+        <message>
+            <source>a list of numbers up to +-%1</source>
+            <translation>+-%1 以内的数的列表</translation>
+        </message>
+        <message>
+            <source>'%1' holds %2</source>
+            <translation>“%1”含有 %2</translation>
+        </message>
+        <message>
+            <source>'beam_altitude_angles' is absent</source>
+            <translation>缺少“beam_altitude_angles”</translation>
+        </message>
+        <message>
+            <source>'beam_azimuth_angles' is absent</source>
+            <translation>缺少“beam_azimuth_angles”</translation>
+        </message>
+        <message>
+            <source>the JSON file of an Ouster sensor</source>
+            <translation>Ouster 传感器的 JSON 文件</translation>
+        </message>
+        <message>
+            <source>'%1' is %2</source>
+            <translation>“%1”为 %2</translation>
+        </message>
+        <message>
+            <source>'lidar_to_sensor_transform' has %1 numbers</source>
+            <translation>“lidar_to_sensor_transform”有 %1 个数</translation>
+        </message>
+        <message>
+            <source>'imu_to_sensor_transform' has %1 numbers</source>
+            <translation>“imu_to_sensor_transform”有 %1 个数</translation>
+        </message>
+        <message>
+            <source>'lidar_to_sensor_transform' is no rigid motion</source>
+            <translation>“lidar_to_sensor_transform”不是刚体运动</translation>
+        </message>
+        <message>
+            <source>'imu_to_sensor_transform' is no rigid motion</source>
+            <translation>“imu_to_sensor_transform”不是刚体运动</translation>
+        </message>
+        <message>
+            <source>a rotation and a translation in millimetres</source>
+            <translation>旋转和以毫米计的平移</translation>
+        </message>
+        <message>
+            <source>the sensor sent the profile '%1'</source>
+            <translation>传感器发送的格式为“%1”</translation>
+        </message>
+        <message>
+            <source>Set udp_profile_lidar of the sensor to one of these, and record again</source>
+            <translation>请将传感器的 udp_profile_lidar 设为其中之一，并重新记录</translation>
+        </message>
+        <message>
+            <source>'beam_to_lidar_transform' has %1 numbers</source>
+            <translation>“beam_to_lidar_transform”有 %1 个数</translation>
+        </message>
+        <message>
+            <source>'lidar_origin_to_beam_origin_mm' is %1</source>
+            <translation>“lidar_origin_to_beam_origin_mm”为 %1</translation>
+        </message>
+        <message>
+            <source>'column_window' is %1</source>
+            <translation>“column_window”为 %1</translation>
+        </message>
+        <message>
+            <source>two columns from 0 to %1</source>
+            <translation>0 至 %1 的两列</translation>
+        </message>
+        <message>
+            <source>the text is not a JSON object</source>
+            <translation>文本不是 JSON 对象</translation>
+        </message>
+        <message>
+            <source>the file has %1 beam altitude angles and %2 azimuth angles</source>
+            <translation>文件有 %1 个光束仰角和 %2 个方位角</translation>
+        </message>
+        <message>
+            <source>one of each per line</source>
+            <translation>每条线各一个</translation>
+        </message>
+        <message>
+            <source>the file has %1 beams for %2 pixels</source>
+            <translation>文件的 %2 个像素有 %1 条光束</translation>
+        </message>
+        <message>
+            <source>one beam per pixel of a column</source>
+            <translation>一列的每个像素一条光束</translation>
+        </message>
+        <message>
+            <source>a datagram of %1 bytes</source>
+            <translation>%1 字节的数据报</translation>
+        </message>
+        <message>
+            <source>cannot write to '%1'</source>
+            <translation>无法写入“%1”</translation>
+        </message>
+        <message>
+            <source>'%1' is absent</source>
+            <translation>缺少“%1”</translation>
+        </message>
+        <message>
+            <source>'elevation_deg' is not a list</source>
+            <translation>“elevation_deg”不是列表</translation>
+        </message>
+        <message>
+            <source>'azimuth_offset_deg' is not a list</source>
+            <translation>“azimuth_offset_deg”不是列表</translation>
+        </message>
+        <message>
+            <source>'firing_time_us' is not a list</source>
+            <translation>“firing_time_us”不是列表</translation>
+        </message>
+        <message>
+            <source>'height_offset_mm' is not a list</source>
+            <translation>“height_offset_mm”不是列表</translation>
+        </message>
+        <message>
+            <source>one number per laser, in the order of the packet</source>
+            <translation>每个激光器一个数，按数据包中的顺序</translation>
+        </message>
+        <message>
+            <source>'elevation_deg' has %1 entries</source>
+            <translation>“elevation_deg”有 %1 项</translation>
+        </message>
+        <message>
+            <source>'azimuth_offset_deg' has %1 entries</source>
+            <translation>“azimuth_offset_deg”有 %1 项</translation>
+        </message>
+        <message>
+            <source>'firing_time_us' has %1 entries</source>
+            <translation>“firing_time_us”有 %1 项</translation>
+        </message>
+        <message>
+            <source>'height_offset_mm' has %1 entries</source>
+            <translation>“height_offset_mm”有 %1 项</translation>
+        </message>
+        <message>
+            <source>1 to %1</source>
+            <translation>1 至 %1</translation>
+        </message>
+        <message>
+            <source>%1, as elevation_deg has</source>
+            <translation>%1 项，与 elevation_deg 相同</translation>
+        </message>
+        <message>
+            <source>'elevation_deg' holds %1</source>
+            <translation>“elevation_deg”含有 %1</translation>
+        </message>
+        <message>
+            <source>'azimuth_offset_deg' holds %1</source>
+            <translation>“azimuth_offset_deg”含有 %1</translation>
+        </message>
+        <message>
+            <source>'firing_time_us' holds %1</source>
+            <translation>“firing_time_us”含有 %1</translation>
+        </message>
+        <message>
+            <source>'height_offset_mm' holds %1</source>
+            <translation>“height_offset_mm”含有 %1</translation>
+        </message>
+        <message>
+            <source>numbers from %1 to %2</source>
+            <translation>%1 至 %2 的数</translation>
+        </message>
+        <message>
+            <source>'pattern' is '%1'</source>
+            <translation>“pattern”为“%1”</translation>
+        </message>
+        <message>
+            <source>lines or rosette</source>
+            <translation>lines 或 rosette</translation>
+        </message>
+        <message>
+            <source>'beam_assumed' is %1</source>
+            <translation>“beam_assumed”为 %1</translation>
+        </message>
+        <message>
+            <source>'dual_return' is %1</source>
+            <translation>“dual_return”为 %1</translation>
+        </message>
+        <message>
+            <source>'packet' is '%1'</source>
+            <translation>“packet”为“%1”</translation>
+        </message>
+        <message>
+            <source>velodyne, hesai, ouster or none</source>
+            <translation>velodyne、hesai、ouster 或 none</translation>
+        </message>
+        <message>
+            <source>a Velodyne block of %1 lasers and %2 sequences</source>
+            <translation>Velodyne 数据块有 %1 个激光器和 %2 个序列</translation>
+        </message>
+        <message>
+            <source>16 lasers twice, 32 once, or 64 or 128 in banks of 32</source>
+            <translation>16 个激光器两次，32 个一次，或 64 或 128 个按 32 个一组</translation>
+        </message>
+        <message>
+            <source>the sensor is not a JSON object</source>
+            <translation>传感器不是 JSON 对象</translation>
+        </message>
+        <message>
+            <source>an object with the entries of resources/sensors/vlp16.json</source>
+            <translation>含有 resources/sensors/vlp16.json 各项的对象</translation>
+        </message>
+        <message>
+            <source>the calibration of a Velodyne unit (XML or YAML)</source>
+            <translation>Velodyne 设备的标定文件（XML 或 YAML）</translation>
+        </message>
+        <message>
+            <source>'%1' is larger than 4 MB</source>
+            <translation>“%1”大于 4 MB</translation>
+        </message>
+        <message>
+            <source>the calibration of a Velodyne unit</source>
+            <translation>Velodyne 设备的标定文件</translation>
+        </message>
+        <message>
+            <source>there is no sensor '%1'</source>
+            <translation>没有传感器“%1”</translation>
+        </message>
+        <message>
+            <source>one of %1, or the path of a JSON file or of a Velodyne calibration (XML, YAML)</source>
+            <translation>下列之一：%1，或 JSON 文件、Velodyne 标定文件（XML、YAML）的路径</translation>
+        </message>
+        <message>
+            <source>a sensor description in JSON</source>
+            <translation>JSON 格式的传感器描述</translation>
+        </message>
+        <message>
+            <source>'%1' is not JSON</source>
+            <translation>“%1”不是 JSON</translation>
+        </message>
+        <message>
+            <source>a sensor description like resources/sensors/vlp16.json</source>
+            <translation>resources/sensors/vlp16.json 那样的传感器描述</translation>
+        </message>
+        <message>
+            <source>the calibration is no XML: %1</source>
+            <translation>标定文件不是 XML：%1</translation>
+        </message>
+        <message>
+            <source>the db.xml of a Velodyne unit</source>
+            <translation>Velodyne 设备的 db.xml</translation>
+        </message>
+        <message>
+            <source>the XML has no &lt;DB&gt; in &lt;boost_serialization&gt;</source>
+            <translation>XML 的 &lt;boost_serialization&gt; 中没有 &lt;DB&gt;</translation>
+        </message>
+        <message>
+            <source>the sensor %1 does not send Velodyne packets</source>
+            <translation>传感器 %1 不发送 Velodyne 数据包</translation>
+        </message>
+        <message>
+            <source>a Velodyne sensor</source>
+            <translation>Velodyne 传感器</translation>
+        </message>
+        <message>
+            <source>the sensor %1 has no dual return</source>
+            <translation>传感器 %1 没有双回波</translation>
+        </message>
+        <message>
+            <source>strongest or last</source>
+            <translation>strongest 或 last</translation>
+        </message>
+        <message>
+            <source>a firing sequence of %1 echoes</source>
+            <translation>一个发射序列有 %1 个回波</translation>
+        </message>
+        <message>
+            <source>'%1' is there twice in one entry</source>
+            <translation>同一项中“%1”重复</translation>
+        </message>
+        <message>
+            <source>a list of lasers as velodyne_pointcloud has it</source>
+            <translation>velodyne_pointcloud 那样的激光器列表</translation>
+        </message>
+        <message>
+            <source>more than 1024 lasers</source>
+            <translation>激光器超过 1024 个</translation>
+        </message>
+        <message>
+            <source>up to 128</source>
+            <translation>至多 128 个</translation>
+        </message>
+        <message>
+            <source>a laser has no '%1'</source>
+            <translation>一个激光器没有“%1”</translation>
+        </message>
+        <message>
+            <source>laser_id, rot_correction and vert_correction of each laser</source>
+            <translation>每个激光器的 laser_id、rot_correction 和 vert_correction</translation>
+        </message>
+        <message>
+            <source>the calibration lists no lasers</source>
+            <translation>标定文件没有列出激光器</translation>
+        </message>
+        <message>
+            <source>the YAML of velodyne_pointcloud, or the db.xml of the maker</source>
+            <translation>velodyne_pointcloud 的 YAML，或厂家的 db.xml</translation>
+        </message>
+        <message>
+            <source>num_lasers is %1, the list has %2</source>
+            <translation>num_lasers 为 %1，而列表有 %2 个</translation>
+        </message>
+        <message>
+            <source>as many as the list has</source>
+            <translation>与列表的数目相同</translation>
+        </message>
+        <message>
+            <source>'distance_resolution' is negative</source>
+            <translation>“distance_resolution”为负</translation>
+        </message>
+        <message>
+            <source>metres, such as 0.002</source>
+            <translation>以米计的值，例如 0.002</translation>
+        </message>
+    </context>
+    <context>
         <name>sim</name>
         <message>
             <source>scanning the field</source>
