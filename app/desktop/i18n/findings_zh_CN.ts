@@ -125,6 +125,41 @@
         </message>
     </context>
     <context>
+        <name>camera</name>
+        <message>
+            <source>the camera's %1 is %2</source>
+            <translation>相机的 %1 为 %2</translation>
+        </message>
+        <message>
+            <source>the camera's image is %1 x %2 pixels</source>
+            <translation>相机的图像为 %1 x %2 像素</translation>
+        </message>
+        <message>
+            <source>at least 1 x 1</source>
+            <translation>至少 1 x 1</translation>
+        </message>
+        <message>
+            <source>pixels, 1 or more</source>
+            <translation>以像素计，1 或更大</translation>
+        </message>
+        <message>
+            <source>a pixel near the image's middle</source>
+            <translation>接近图像中心的像素</translation>
+        </message>
+        <message>
+            <source>five numbers: k1, k2, p1, p2, k3</source>
+            <translation>五个数：k1、k2、p1、p2、k3</translation>
+        </message>
+        <message>
+            <source>the camera's distortion has no inverse at the corners of the image</source>
+            <translation>相机的畸变在图像的角上不可逆</translation>
+        </message>
+        <message>
+            <source>k1, k2, p1, p2, k3 as OpenCV gives them</source>
+            <translation>OpenCV 给出的 k1、k2、p1、p2、k3</translation>
+        </message>
+    </context>
+    <context>
         <name>cloud</name>
         <message>
             <source>Measure the stems anew, or take the fact breast_height_m away</source>
