@@ -8006,6 +8006,38 @@
     <context>
         <name>steering</name>
         <message>
+            <source>speeds is '%1': '%2' is no speed</source>
+            <translation>speeds 为“%1”：“%2”不是速度</translation>
+        </message>
+        <message>
+            <source>numbers from 0.1 to 40 km/h</source>
+            <translation>0.1 至 40 km/h 的数</translation>
+        </message>
+        <message>
+            <source>Write for instance "3 5 7"</source>
+            <translation>例如写成“3 5 7”</translation>
+        </message>
+        <message>
+            <source>speeds is empty</source>
+            <translation>speeds 为空</translation>
+        </message>
+        <message>
+            <source>at least one speed in km/h</source>
+            <translation>至少一个以 km/h 计的速度</translation>
+        </message>
+        <message>
+            <source>the tractor left line %1 at %2 km/h: %3 m beside it after %4 s</source>
+            <translation>拖拉机以 %2 km/h 行驶时偏离了导航线 %1：%4 s 后偏离 %3 m</translation>
+        </message>
+        <message>
+            <source>gains that keep it on the line</source>
+            <translation>能使其保持在线上的增益</translation>
+        </message>
+        <message>
+            <source>Lower gain_p or raise preview (stage steering.tune finds both)</source>
+            <translation>请减小 gain_p 或增大 preview（步骤 steering.tune 可求出两者）</translation>
+        </message>
+        <message>
             <source>driving at %1 km/h</source>
             <translation>以 %1 km/h 行驶</translation>
         </message>
@@ -8014,8 +8046,144 @@
             <translation>在 %2 条 %3 m 的线上行驶 %1 次</translation>
         </message>
         <message>
+            <source>A is (%1, %2) and B is (%3, %4)</source>
+            <translation>A 为 (%1, %2)，B 为 (%3, %4)</translation>
+        </message>
+        <message>
+            <source>two places at least 0.1 m apart</source>
+            <translation>相距至少 0.1 m 的两处</translation>
+        </message>
+        <message>
+            <source>A and B have latitude and longitude</source>
+            <translation>A 和 B 给出的是纬度和经度</translation>
+        </message>
+        <message>
+            <source>the table does not hold A and B</source>
+            <translation>表中没有 A 和 B</translation>
+        </message>
+        <message>
+            <source>two rows with x_m and y_m, or a_x_m, a_y_m, b_x_m, b_y_m</source>
+            <translation>含有 x_m 和 y_m 的两行，或 a_x_m, a_y_m, b_x_m, b_y_m</translation>
+        </message>
+        <message>
+            <source>Write one row for A and one for B</source>
+            <translation>请为 A 和 B 各写一行</translation>
+        </message>
+        <message>
+            <source>A and B are the same row</source>
+            <translation>A 和 B 是同一行</translation>
+        </message>
+        <message>
+            <source>a row named A and one named B</source>
+            <translation>名为 A 和名为 B 的各一行</translation>
+        </message>
+        <message>
+            <source>corner %1 of the boundary has no place</source>
+            <translation>边界的角点 %1 没有位置</translation>
+        </message>
+        <message>
+            <source>a boundary of %1 corners</source>
+            <translation>有 %1 个角点的边界</translation>
+        </message>
+        <message>
+            <source>three at the least</source>
+            <translation>至少三个</translation>
+        </message>
+        <message>
+            <source>the boundary crosses itself</source>
+            <translation>边界自相交</translation>
+        </message>
+        <message>
+            <source>corners in their order along the field</source>
+            <translation>沿田块按顺序排列的角点</translation>
+        </message>
+        <message>
+            <source>the boundary encloses no area</source>
+            <translation>边界没有围成面积</translation>
+        </message>
+        <message>
+            <source>corners of a field</source>
+            <translation>田块的角点</translation>
+        </message>
+        <message>
+            <source>the headland could not be computed</source>
+            <translation>无法计算地头</translation>
+        </message>
+        <message>
+            <source>GDAL with GEOS</source>
+            <translation>带 GEOS 的 GDAL</translation>
+        </message>
+        <message>
+            <source>a headland of %1 m covers the whole field</source>
+            <translation>%1 m 的地头覆盖了整个田块</translation>
+        </message>
+        <message>
+            <source>room for a line within it</source>
+            <translation>其中可容纳导航线的空间</translation>
+        </message>
+        <message>
+            <source>Lower headland_passes, or look at the unit of the boundary</source>
+            <translation>请减小 headland_passes，或检查边界的单位</translation>
+        </message>
+        <message>
+            <source>%1 lines over a field of %2 m</source>
+            <translation>%2 m 的田块上有 %1 条线</translation>
+        </message>
+        <message>
+            <source>Look at the units of the boundary and the width</source>
+            <translation>请检查边界的单位和宽度</translation>
+        </message>
+        <message>
+            <source>a line could not be cut at the boundary</source>
+            <translation>无法在边界处截断导航线</translation>
+        </message>
+        <message>
+            <source>no line of %1 m fits into the boundary</source>
+            <translation>边界内容不下 %1 m 的导航线</translation>
+        </message>
+        <message>
+            <source>a field beside A and B</source>
+            <translation>A 和 B 旁的田块</translation>
+        </message>
+        <message>
+            <source>Look at the units of A, B and the boundary, or lower headland_passes and min_length</source>
+            <translation>请检查 A、B 和边界的单位，或减小 headland_passes 和 min_length</translation>
+        </message>
+        <message>
+            <source>A, B and the boundary</source>
+            <translation>A、B 和边界</translation>
+        </message>
+        <message>
             <source>%1 lines, %2 m</source>
             <translation>%1 条线，%2 m</translation>
+        </message>
+        <message>
+            <source>an overlap of %1 m and a width of %2 m</source>
+            <translation>重叠 %1 m，宽度 %2 m</translation>
+        </message>
+        <message>
+            <source>an overlap below the width</source>
+            <translation>小于宽度的重叠</translation>
+        </message>
+        <message>
+            <source>accept is '%1': '%2' is no fix quality</source>
+            <translation>accept 为“%1”：“%2”不是定位质量</translation>
+        </message>
+        <message>
+            <source>digits of GGA sentences, 0 to 9</source>
+            <translation>GGA 语句中的数字，0 至 9</translation>
+        </message>
+        <message>
+            <source>Write for instance "4 5"</source>
+            <translation>例如写成“4 5”</translation>
+        </message>
+        <message>
+            <source>accept is empty</source>
+            <translation>accept 为空</translation>
+        </message>
+        <message>
+            <source>at least one fix quality</source>
+            <translation>至少一种定位质量</translation>
         </message>
         <message>
             <source>, unknown: %1</source>
@@ -8024,6 +8192,18 @@
         <message>
             <source>unknown: %1</source>
             <translation>未知：%1</translation>
+        </message>
+        <message>
+            <source>the track has no %1, but latitude and longitude</source>
+            <translation>轨迹没有 %1，只有纬度和经度</translation>
+        </message>
+        <message>
+            <source>the track has no %1</source>
+            <translation>轨迹没有 %1</translation>
+        </message>
+        <message>
+            <source>positions in metres</source>
+            <translation>以米计的位置</translation>
         </message>
         <message>
             <source>%1 of %2 fixes have a quality that is not accepted and are left out (%3)</source>
@@ -8070,6 +8250,30 @@
             <translation>定位点的精度约为 %1 m：可据以区分各次行程，但不能得知厘米级的转向误差</translation>
         </message>
         <message>
+            <source>none of %1 positions can be used (fix qualities none)</source>
+            <translation>%1 个位置都不能使用（没有定位质量）</translation>
+        </message>
+        <message>
+            <source>none of %1 positions can be used (fix qualities %2)</source>
+            <translation>%1 个位置都不能使用（定位质量 %2）</translation>
+        </message>
+        <message>
+            <source>positions of the qualities %1</source>
+            <translation>质量为 %1 的位置</translation>
+        </message>
+        <message>
+            <source>Change accept, or record with a correction service</source>
+            <translation>请修改 accept，或用差分改正服务重新记录</translation>
+        </message>
+        <message>
+            <source>the lever arm needs a heading, and neither the track nor its motion gives one</source>
+            <translation>杆臂需要航向，而轨迹及其运动都没有给出</translation>
+        </message>
+        <message>
+            <source>heading_deg, course_deg, attitudes, or a drive of some metres</source>
+            <translation>列 heading_deg、course_deg，姿态，或行驶数米</translation>
+        </message>
+        <message>
             <source>the track gives no fix quality: its fixes are taken to be good to %1 cm</source>
             <translation>轨迹没有给出定位质量：视其定位点精度为 %1 cm</translation>
         </message>
@@ -8078,12 +8282,96 @@
             <translation>%1 个定位点，精度 %2 cm；舍去 %3 个</translation>
         </message>
         <message>
+            <source>A, B and the boundary lie in different planes</source>
+            <translation>A、B 和边界在不同的投影平面中</translation>
+        </message>
+        <message>
+            <source>log and lines lie in different planes</source>
+            <translation>日志和导航线在不同的投影平面中</translation>
+        </message>
+        <message>
+            <source>one plane for both</source>
+            <translation>两者采用同一投影平面</translation>
+        </message>
+        <message>
+            <source>Set the same plane and zone for both (stage geo.project)</source>
+            <translation>请为两者设置相同的投影平面和投影带（步骤 geo.project）</translation>
+        </message>
+        <message>
+            <source>the attitudes hold no angle</source>
+            <translation>姿态中没有角度</translation>
+        </message>
+        <message>
+            <source>roll_deg, pitch_deg, heading_deg or yaw_deg</source>
+            <translation>roll_deg、pitch_deg、heading_deg 或 yaw_deg</translation>
+        </message>
+        <message>
+            <source>time_s of the attitudes does not rise at row %1</source>
+            <translation>姿态的 time_s 在第 %1 行没有递增</translation>
+        </message>
+        <message>
+            <source>rising times</source>
+            <translation>递增的时间</translation>
+        </message>
+        <message>
+            <source>the times of the reference fall</source>
+            <translation>参照的时间倒退</translation>
+        </message>
+        <message>
+            <source>rising time_s</source>
+            <translation>递增的 time_s</translation>
+        </message>
+        <message>
+            <source>time_s does not rise at row %1 of the log</source>
+            <translation>日志的 time_s 在第 %1 行没有递增</translation>
+        </message>
+        <message>
+            <source>rising times within a run</source>
+            <translation>在一次行驶内递增的时间</translation>
+        </message>
+        <message>
+            <source>A and B are the same place</source>
+            <translation>A 和 B 在同一处</translation>
+        </message>
+        <message>
+            <source>two points of the line</source>
+            <translation>线上的两个点</translation>
+        </message>
+        <message>
+            <source>run %1 has no straight stretch of %2 m</source>
+            <translation>行驶 %1 没有 %2 m 的直线段</translation>
+        </message>
+        <message>
+            <source>a line to measure against</source>
+            <translation>据以测量的线</translation>
+        </message>
+        <message>
+            <source>Give A and B (lines), or lower min_length</source>
+            <translation>请给出 A 和 B（lines），或减小 min_length</translation>
+        </message>
+        <message>
             <source>passes lie up to %1 m beside the line, and no row width says which line they followed: their errors count from that one line. Set row_width</source>
             <translation>行程偏离导航线达 %1 m，而没有行宽说明它们跟随的是哪条线：其误差以这一条线计。请设置 row_width</translation>
         </message>
         <message>
+            <source>log and lines</source>
+            <translation>日志和导航线</translation>
+        </message>
+        <message>
             <source>measuring passes</source>
             <translation>测量各次行程</translation>
+        </message>
+        <message>
+            <source>none of %1 fixes is on a pass of %2 m along the line</source>
+            <translation>%1 个定位点都不在沿线 %2 m 的行程上</translation>
+        </message>
+        <message>
+            <source>a drive along the line from A to B</source>
+            <translation>沿 A 至 B 的线行驶</translation>
+        </message>
+        <message>
+            <source>Check A and B, or lower run_in and min_length</source>
+            <translation>请检查 A 和 B，或减小 run_in 和 min_length</translation>
         </message>
         <message>
             <source>no reference: errors are measured with the receiver itself, so its own error is unknown (connect 'reference', or a log with ref_x_m and ref_y_m)</source>
@@ -8100,6 +8388,18 @@
         <message>
             <source>preview</source>
             <translation>预瞄</translation>
+        </message>
+        <message>
+            <source>the loop oscillates at %1 km/h with any D up to %2</source>
+            <translation>D 直到 %2 时，回路在 %1 km/h 下仍振荡</translation>
+        </message>
+        <message>
+            <source>a gain that calms it</source>
+            <translation>能使其平稳的增益</translation>
+        </message>
+        <message>
+            <source>Lower first_p or the steering's delay and lag</source>
+            <translation>请减小 first_p，或转向的延迟和滞后</translation>
         </message>
         <message>
             <source>no oscillation up to P = %1, where the search ends</source>
