@@ -6280,6 +6280,42 @@
             <translation>绘制%1</translation>
         </message>
         <message>
+            <source>the plot values have no measure '%1'</source>
+            <translation>样地数值中没有指标“%1”</translation>
+        </message>
+        <message>
+            <source>the table of inventory.plot_values</source>
+            <translation>inventory.plot_values 的表</translation>
+        </message>
+        <message>
+            <source>Connect plot_values of that stage to the report</source>
+            <translation>请将该步骤的 plot_values 连接到报告</translation>
+        </message>
+        <message>
+            <source>the views of %1 cannot be read</source>
+            <translation>无法读取 %1 中的视图</translation>
+        </message>
+        <message>
+            <source>a file of bookmarks, such as plot.views.json</source>
+            <translation>书签视图的文件，例如 plot.views.json</translation>
+        </message>
+        <message>
+            <source>there is no folder for the frames</source>
+            <translation>没有存放各帧的文件夹</translation>
+        </message>
+        <message>
+            <source>Give it with --out DIR</source>
+            <translation>请用 --out DIR 指定</translation>
+        </message>
+        <message>
+            <source>there is no walk to fly along</source>
+            <translation>没有可沿其飞行的行走路径</translation>
+        </message>
+        <message>
+            <source>Set course=views and give a file of bookmarked views</source>
+            <translation>请设置 course=views 并给出书签视图的文件</translation>
+        </message>
+        <message>
             <source>points</source>
             <translation>点</translation>
         </message>
@@ -6300,6 +6336,26 @@
             <translation>视频</translation>
         </message>
         <message>
+            <source>ffmpeg cannot be started (%1)</source>
+            <translation>无法启动 ffmpeg（%1）</translation>
+        </message>
+        <message>
+            <source>a program that runs</source>
+            <translation>可以运行的程序</translation>
+        </message>
+        <message>
+            <source>ffmpeg wrote no video: %1</source>
+            <translation>ffmpeg 没有写出视频：%1</translation>
+        </message>
+        <message>
+            <source>an ffmpeg with libx264</source>
+            <translation>带 libx264 的 ffmpeg</translation>
+        </message>
+        <message>
+            <source>The frames are in %1</source>
+            <translation>各帧在 %1 中</translation>
+        </message>
+        <message>
             <source>report</source>
             <translation>报告</translation>
         </message>
@@ -6310,6 +6366,14 @@
         <message>
             <source>the 3-D maps could not be drawn: %1</source>
             <translation>无法绘制三维地图：%1</translation>
+        </message>
+        <message>
+            <source>report.plant has no input</source>
+            <translation>report.plant 没有输入</translation>
+        </message>
+        <message>
+            <source>at least the traits or the points</source>
+            <translation>至少有性状或点</translation>
         </message>
         <message>
             <source>no point was found to be of the plant: cloud.ply has all points</source>
@@ -6334,6 +6398,10 @@
         <message>
             <source>making of the field</source>
             <translation>辐射场的生成过程</translation>
+        </message>
+        <message>
+            <source>there is no folder to write the report into</source>
+            <translation>没有可写出报告的文件夹</translation>
         </message>
         <message>
             <source>%1 could not be written: %2</source>
@@ -6362,6 +6430,14 @@
         <message>
             <source>error curves</source>
             <translation>误差曲线</translation>
+        </message>
+        <message>
+            <source>report.steering has no input</source>
+            <translation>report.steering 没有输入</translation>
+        </message>
+        <message>
+            <source>at least one of summary, passes, errors, log, parameters, steps, lines</source>
+            <translation>summary、passes、errors、log、parameters、steps、lines 中的至少一个</translation>
         </message>
         <message>
             <source>map by height</source>
@@ -6430,6 +6506,18 @@
         <message>
             <source>breast-height slices</source>
             <translation>胸高横切面图</translation>
+        </message>
+        <message>
+            <source>cannot begin the workbook %1</source>
+            <translation>无法建立工作簿 %1</translation>
+        </message>
+        <message>
+            <source>cannot write the workbook: %1</source>
+            <translation>无法写出工作簿：%1</translation>
+        </message>
+        <message>
+            <source>cannot add the sheet %1</source>
+            <translation>无法添加工作表 %1</translation>
         </message>
     </context>
     <context>
