@@ -6233,8 +6233,252 @@
     <context>
         <name>render</name>
         <message>
+            <source>the table of growth has no tree</source>
+            <translation>生长量表中没有树</translation>
+        </message>
+        <message>
+            <source>one at least</source>
+            <translation>至少一株</translation>
+        </message>
+        <message>
+            <source>no tree was found again</source>
+            <translation>没有再次找到任何树</translation>
+        </message>
+        <message>
+            <source>a tree with both diameters</source>
+            <translation>两次都有直径的树</translation>
+        </message>
+        <message>
+            <source>a trajectory of %1 poses</source>
+            <translation>有 %1 个位姿的轨迹</translation>
+        </message>
+        <message>
+            <source>figure '%1' could not be drawn: %2</source>
+            <translation>无法绘制图“%1”：%2</translation>
+        </message>
+        <message>
+            <source>figure '%1' would have %2 x %3 pixels</source>
+            <translation>图“%1”将有 %2 x %3 像素</translation>
+        </message>
+        <message>
+            <source>at most %1 a side</source>
+            <translation>每边至多 %1</translation>
+        </message>
+        <message>
+            <source>Lower its resolution or width</source>
+            <translation>请减小其分辨率或宽度</translation>
+        </message>
+        <message>
+            <source>a PNG could not be written: %1</source>
+            <translation>无法写出 PNG：%1</translation>
+        </message>
+        <message>
+            <source>the check has no cell with a measure</source>
+            <translation>检查没有含指标的单元</translation>
+        </message>
+        <message>
+            <source>there is no run to draw</source>
+            <translation>没有可绘制的运行</translation>
+        </message>
+        <message>
+            <source>the trajectory of a run</source>
+            <translation>运行的轨迹</translation>
+        </message>
+        <message>
+            <source>there is no path to draw</source>
+            <translation>没有可绘制的路径</translation>
+        </message>
+        <message>
+            <source>the raster of %1 has no value in the plot</source>
+            <translation>%1的栅格在样地中没有值</translation>
+        </message>
+        <message>
+            <source>a terrain or canopy model</source>
+            <translation>地形模型或冠层模型</translation>
+        </message>
+        <message>
+            <source>there is no raster</source>
+            <translation>没有栅格</translation>
+        </message>
+        <message>
+            <source>a raster</source>
+            <translation>栅格</translation>
+        </message>
+        <message>
+            <source>this program is not linked with OSMesa</source>
+            <translation>此程序没有链接 OSMesa</translation>
+        </message>
+        <message>
+            <source>libOSMesa before libOpenGL among its libraries</source>
+            <translation>其库中 libOSMesa 在 libOpenGL 之前</translation>
+        </message>
+        <message>
+            <source>Use the bole program, or run this one under xvfb-run with the backend glx</source>
+            <translation>请使用 bole 程序，或在 xvfb-run 下以绘图后端 glx 运行此程序</translation>
+        </message>
+        <message>
+            <source>there is no drawing backend '%1'</source>
+            <translation>没有绘图后端“%1”</translation>
+        </message>
+        <message>
+            <source>auto, osmesa, egl or glx</source>
+            <translation>auto、osmesa、egl 或 glx</translation>
+        </message>
+        <message>
+            <source>VTK %1 has no EGL window</source>
+            <translation>VTK %1 没有 EGL 窗口</translation>
+        </message>
+        <message>
+            <source>VTK 9.4 or later</source>
+            <translation>VTK 9.4 或更高版本</translation>
+        </message>
+        <message>
+            <source>Use the backend osmesa</source>
+            <translation>请使用绘图后端 osmesa</translation>
+        </message>
+        <message>
+            <source>the environment variable DISPLAY is not set</source>
+            <translation>没有设置环境变量 DISPLAY</translation>
+        </message>
+        <message>
+            <source>an X display for the backend glx</source>
+            <translation>绘图后端 glx 所需的 X 显示</translation>
+        </message>
+        <message>
+            <source>Run it under xvfb-run, or use the bole program, which draws without a display</source>
+            <translation>请在 xvfb-run 下运行，或使用无需显示即可绘图的 bole 程序</translation>
+        </message>
+        <message>
+            <source>a step from the frame to the rows is not connected</source>
+            <translation>从帧到行的某个步骤未连接</translation>
+        </message>
+        <message>
+            <source>region, cleaned, clusters, trunk points, centres, plants and lines</source>
+            <translation>区域、清理后的点、聚类、树干点、中心、植株和行线</translation>
+        </message>
+        <message>
+            <source>there are %1 different views to fly through</source>
+            <translation>可供飞越的不同视图有 %1 个</translation>
+        </message>
+        <message>
+            <source>two or more</source>
+            <translation>两个或更多</translation>
+        </message>
+        <message>
+            <source>Bookmark more views (Ctrl+B)</source>
+            <translation>请将更多视图加为书签 (Ctrl+B)</translation>
+        </message>
+        <message>
+            <source>the walk is %1 m long</source>
+            <translation>行走路径长 %1 m</translation>
+        </message>
+        <message>
+            <source>a walk of a metre or more</source>
+            <translation>一米或更长的行走路径</translation>
+        </message>
+        <message>
+            <source>there are no points to fly through</source>
+            <translation>没有可供飞越的点</translation>
+        </message>
+        <message>
+            <source>the map has no points</source>
+            <translation>地图没有点</translation>
+        </message>
+        <message>
+            <source>no point of the map lies in the window that is drawn</source>
+            <translation>绘制的窗口内没有地图的点</translation>
+        </message>
+        <message>
+            <source>points around the plot or the stems</source>
+            <translation>样地或单木周围的点</translation>
+        </message>
+        <message>
+            <source>no point lies below the height of the cut</source>
+            <translation>剖切高度以下没有点</translation>
+        </message>
+        <message>
+            <source>a higher cut</source>
+            <translation>更高的剖切高度</translation>
+        </message>
+        <message>
+            <source>%1 is of the kind %2</source>
+            <translation>%1的类型为 %2</translation>
+        </message>
+        <message>
+            <source>point, distance, angle or ring</source>
+            <translation>point、distance、angle 或 ring</translation>
+        </message>
+        <message>
+            <source>%1 holds %2</source>
+            <translation>%1含有 %2</translation>
+        </message>
+        <message>
+            <source>an object with "kind" and "points"</source>
+            <translation>含有 "kind" 和 "points" 的对象</translation>
+        </message>
+        <message>
+            <source>%1 has %2 points</source>
+            <translation>%1有 %2 个点</translation>
+        </message>
+        <message>
+            <source>%1 for the kind %2</source>
+            <translation>%1 个，类型为 %2 时</translation>
+        </message>
+        <message>
+            <source>%1 has a point %2</source>
+            <translation>%1有一个点 %2</translation>
+        </message>
+        <message>
+            <source>the measurements are no JSON object with a list</source>
+            <translation>量测不是含有列表的 JSON 对象</translation>
+        </message>
+        <message>
+            <source>{"measurements": [...]}</source>
+            <translation>对象 {"measurements": [...]}</translation>
+        </message>
+        <message>
+            <source>%1 measurements</source>
+            <translation>%1 个量测</translation>
+        </message>
+        <message>
+            <source>measurement %1</source>
+            <translation>量测 %1</translation>
+        </message>
+        <message>
             <source>sorting points for display</source>
             <translation>为显示整理点</translation>
+        </message>
+        <message>
+            <source>a cloud of %1 points</source>
+            <translation>有 %1 个点的点云</translation>
+        </message>
+        <message>
+            <source>at most 4 294 967 294</source>
+            <translation>至多 4 294 967 294 个</translation>
+        </message>
+        <message>
+            <source>Thin it</source>
+            <translation>请抽稀</translation>
+        </message>
+        <message>
+            <source>depth images of two sizes are compared</source>
+            <translation>比较的深度图像尺寸不同</translation>
+        </message>
+        <message>
+            <source>the views are no JSON list</source>
+            <translation>视图不是 JSON 列表</translation>
+        </message>
+        <message>
+            <source>a list of views, as the window writes it</source>
+            <translation>窗口写出的视图列表</translation>
+        </message>
+        <message>
+            <source>the views cannot be read: %1</source>
+            <translation>无法读取视图：%1</translation>
+        </message>
+        <message>
+            <source>Bookmark the views again</source>
+            <translation>请重新将视图加为书签</translation>
         </message>
     </context>
     <context>
