@@ -7804,6 +7804,14 @@
     <context>
         <name>sim</name>
         <message>
+            <source>recipe field 'plants.diameter_min_mm' is above diameter_max_mm</source>
+            <translation>方案字段“plants.diameter_min_mm”大于 diameter_max_mm</translation>
+        </message>
+        <message>
+            <source>the smaller one first</source>
+            <translation>较小的在前</translation>
+        </message>
+        <message>
             <source>scanning the field</source>
             <translation>扫描田块</translation>
         </message>
@@ -7812,8 +7820,188 @@
             <translation>%1：%2 帧，每帧 %3 s，%4 个回波，%6 行中有 %5 株植株</translation>
         </message>
         <message>
+            <source>recipe '%1': %2 trees do not fit in %3 m x %4 m at a spacing of %5 m</source>
+            <translation>方案“%1”：株距 %5 m 时 %3 m x %4 m 容不下 %2 株树</translation>
+        </message>
+        <message>
+            <source>a plot they fit in</source>
+            <translation>容得下它们的样地</translation>
+        </message>
+        <message>
+            <source>Lower trees.count or layout.min_spacing_m</source>
+            <translation>请减小 trees.count 或 layout.min_spacing_m</translation>
+        </message>
+        <message>
+            <source>recipe '%1': the rows hold %2 plants within the plot</source>
+            <translation>方案“%1”：样地内各行有 %2 株植株</translation>
+        </message>
+        <message>
+            <source>at least %1 (trees.count)</source>
+            <translation>至少 %1 株（trees.count）</translation>
+        </message>
+        <message>
+            <source>Lower trees.count or the spacings</source>
+            <translation>请减小 trees.count 或间距</translation>
+        </message>
+        <message>
+            <source>recipe fields vineyard: %1 rows of %2 m, %3 m apart, in a plot of %4 m</source>
+            <translation>方案字段 vineyard：%4 m 的样地中有 %1 行，每行 %2 m，行距 %3 m</translation>
+        </message>
+        <message>
+            <source>%1 m of headland on each side</source>
+            <translation>每侧 %1 m 的地头</translation>
+        </message>
+        <message>
+            <source>Raise size_m</source>
+            <translation>请增大 size_m</translation>
+        </message>
+        <message>
+            <source>recipe field 'vineyard.canopy_bottom_m' is %1</source>
+            <translation>方案字段“vineyard.canopy_bottom_m”为 %1</translation>
+        </message>
+        <message>
+            <source>less than canopy_top_m, %1</source>
+            <translation>小于 canopy_top_m，即 %1</translation>
+        </message>
+        <message>
+            <source>recipe fields trees.dbh_min_cm %1 and dbh_max_cm %2</source>
+            <translation>方案字段 trees.dbh_min_cm 为 %1，dbh_max_cm 为 %2</translation>
+        </message>
+        <message>
+            <source>recipe field 'trees.dbh_mean_cm' is %1</source>
+            <translation>方案字段“trees.dbh_mean_cm”为 %1</translation>
+        </message>
+        <message>
+            <source>a mean between dbh_min_cm and dbh_max_cm</source>
+            <translation>dbh_min_cm 与 dbh_max_cm 之间的平均值</translation>
+        </message>
+        <message>
+            <source>recipe field 'trees.dbh_sd_cm' is %1</source>
+            <translation>方案字段“trees.dbh_sd_cm”为 %1</translation>
+        </message>
+        <message>
+            <source>a spread that fits between dbh_min_cm and dbh_max_cm</source>
+            <translation>与 dbh_min_cm 至 dbh_max_cm 的范围相称的离散</translation>
+        </message>
+        <message>
+            <source>Lower it, or widen the limits</source>
+            <translation>请减小它，或放宽界限</translation>
+        </message>
+        <message>
+            <source>recipe fields understorey.pole_min_cm %1 and pole_max_cm %2</source>
+            <translation>方案字段 understorey.pole_min_cm 为 %1，pole_max_cm 为 %2</translation>
+        </message>
+        <message>
+            <source>recipe field 'terrain.terrace_riser_m' is %1</source>
+            <translation>方案字段“terrain.terrace_riser_m”为 %1</translation>
+        </message>
+        <message>
+            <source>less than terrace_width_m, %1</source>
+            <translation>小于 terrace_width_m，即 %1</translation>
+        </message>
+        <message>
+            <source>recipe field '%1' is %2</source>
+            <translation>方案字段“%1”为 %2</translation>
+        </message>
+        <message>
+            <source>(whole file)</source>
+            <translation>（整个文件）</translation>
+        </message>
+        <message>
+            <source>a JSON object {...}</source>
+            <translation>JSON 对象 {...}</translation>
+        </message>
+        <message>
+            <source>unknown recipe field '%1'</source>
+            <translation>未知的方案字段“%1”</translation>
+        </message>
+        <message>
+            <source>a field of modules/sim/README.md</source>
+            <translation>modules/sim/README.md 中的字段</translation>
+        </message>
+        <message>
+            <source>Did you mean '%1'?</source>
+            <translation>是否指“%1”？</translation>
+        </message>
+        <message>
+            <source>a list of up to %1</source>
+            <translation>至多 %1 项的列表</translation>
+        </message>
+        <message>
+            <source>rows of positions [x, y] within 1000 m</source>
+            <translation>1000 m 以内的位置 [x, y] 各行</translation>
+        </message>
+        <message>
+            <source>[smallest, largest] from %1 to %2</source>
+            <translation>[smallest, largest]，从 %1 至 %2</translation>
+        </message>
+        <message>
+            <source>there is no recipe '%1' in resources/%2</source>
+            <translation>resources/%2 中没有方案“%1”</translation>
+        </message>
+        <message>
+            <source>one of %1, or the path of a recipe file</source>
+            <translation>下列之一：%1，或方案文件的路径</translation>
+        </message>
+        <message>
+            <source>cannot open the recipe %1</source>
+            <translation>无法打开方案 %1</translation>
+        </message>
+        <message>
+            <source>a readable file</source>
+            <translation>可读的文件</translation>
+        </message>
+        <message>
+            <source>%1 is not valid JSON: %2</source>
+            <translation>%1 不是有效的 JSON：%2</translation>
+        </message>
+        <message>
+            <source>a recipe</source>
+            <translation>模拟方案</translation>
+        </message>
+        <message>
+            <source>cannot open the walk %1</source>
+            <translation>无法打开行走路线 %1</translation>
+        </message>
+        <message>
+            <source>a readable file with one x_m,y_m per line</source>
+            <translation>可读的文件，每行一个 x_m,y_m</translation>
+        </message>
+        <message>
+            <source>%1:%2 is '%3'</source>
+            <translation>%1:%2 为“%3”</translation>
+        </message>
+        <message>
+            <source>x_m,y_m in plot axes, within 200 m</source>
+            <translation>样地坐标轴中的 x_m,y_m，200 m 以内</translation>
+        </message>
+        <message>
+            <source>%1 has more than 10000 way-points</source>
+            <translation>%1 的路点超过 10000 个</translation>
+        </message>
+        <message>
+            <source>fewer</source>
+            <translation>更少</translation>
+        </message>
+        <message>
+            <source>%1 has %2 way-points</source>
+            <translation>%1 有 %2 个路点</translation>
+        </message>
+        <message>
+            <source>cannot write %1</source>
+            <translation>无法写出 %1</translation>
+        </message>
+        <message>
+            <source>a writable folder with free space</source>
+            <translation>可写且有剩余空间的文件夹</translation>
+        </message>
+        <message>
             <source>%1: %2 trees, %3 s of %4, %5 returns</source>
             <translation>%1：%2 株树，%4 的 %3 s，%5 个回波</translation>
+        </message>
+        <message>
+            <source>cannot make the folder %1: %2</source>
+            <translation>无法建立文件夹 %1：%2</translation>
         </message>
         <message>
             <source>growing the plot</source>
@@ -7828,6 +8016,78 @@
             <translation>建立光线追踪</translation>
         </message>
         <message>
+            <source>GDAL has no GeoTIFF driver</source>
+            <translation>GDAL 没有 GeoTIFF 驱动程序</translation>
+        </message>
+        <message>
+            <source>Check the installation of GDAL</source>
+            <translation>请检查 GDAL 的安装</translation>
+        </message>
+        <message>
+            <source>a writable folder</source>
+            <translation>可写的文件夹</translation>
+        </message>
+        <message>
+            <source>free space on the disk</source>
+            <translation>磁盘上的剩余空间</translation>
+        </message>
+        <message>
+            <source>the calibration of the sensor %1 corrects ranges at two distances</source>
+            <translation>传感器 %1 的标定在两个距离上改正测距</translation>
+        </message>
+        <message>
+            <source>a sensor without such a correction: the simulator does not have it</source>
+            <translation>没有这种改正的传感器：模拟器不支持</translation>
+        </message>
+        <message>
+            <source>Embree has no memory for a mesh of %1 triangles</source>
+            <translation>Embree 没有内存存放 %1 个三角形的网格</translation>
+        </message>
+        <message>
+            <source>Use a smaller plot or fewer trees</source>
+            <translation>请使用更小的样地或更少的树</translation>
+        </message>
+        <message>
+            <source>Embree could not start</source>
+            <translation>Embree 无法启动</translation>
+        </message>
+        <message>
+            <source>Embree error %1 while building the scene</source>
+            <translation>建立场景时 Embree 出现错误 %1</translation>
+        </message>
+        <message>
+            <source>Embree has no memory for the seedling</source>
+            <translation>Embree 没有内存存放幼苗</translation>
+        </message>
+        <message>
+            <source>Embree error %1 while building the seedling</source>
+            <translation>建立幼苗时 Embree 出现错误 %1</translation>
+        </message>
+        <message>
+            <source>a folder that can be written to, and space on the disk</source>
+            <translation>可写入的文件夹，以及磁盘空间</translation>
+        </message>
+        <message>
+            <source>recipe field 'pot.soil_below_mm' leaves less than 15 mm of soil</source>
+            <translation>方案字段“pot.soil_below_mm”使土壤不足 15 mm</translation>
+        </message>
+        <message>
+            <source>a deeper pot or more soil</source>
+            <translation>更深的盆或更多的土壤</translation>
+        </message>
+        <message>
+            <source>%1 already holds pictures</source>
+            <translation>%1 中已有图像</translation>
+        </message>
+        <message>
+            <source>a folder without the subfolder color</source>
+            <translation>没有子文件夹 color 的文件夹</translation>
+        </message>
+        <message>
+            <source>Remove it, or choose another folder</source>
+            <translation>请将其移走，或选择其他文件夹</translation>
+        </message>
+        <message>
             <source>lighting the seedling</source>
             <translation>为幼苗布光</translation>
         </message>
@@ -7840,8 +8100,48 @@
             <translation>%1：%2 个视图，高 %3 mm，冠幅 %4 x %5 mm，茎 %6 mm，%7 片叶</translation>
         </message>
         <message>
+            <source>cannot copy %1 to %2: %3</source>
+            <translation>无法将 %1 复制到 %2：%3</translation>
+        </message>
+        <message>
+            <source>a walk of %1 way-points</source>
+            <translation>有 %1 个路点的行走路线</translation>
+        </message>
+        <message>
+            <source>trees leave no free ground to walk on</source>
+            <translation>树木之间没有可以行走的空地</translation>
+        </message>
+        <message>
+            <source>trees block the walk between its way-points</source>
+            <translation>树木挡住了路点之间的行走路线</translation>
+        </message>
+        <message>
+            <source>gaps of at least 0.6 m</source>
+            <translation>至少 0.6 m 的间隙</translation>
+        </message>
+        <message>
+            <source>Use a wider spacing or another walk</source>
+            <translation>请使用更大的间距或其他行走路线</translation>
+        </message>
+        <message>
             <source>scanning: %1 of %2 s</source>
             <translation>扫描：%2 s 中的 %1 s</translation>
+        </message>
+        <message>
+            <source>the recording of the sensor %1 is written as frames, which hold one return</source>
+            <translation>传感器 %1 的记录以帧写出，每帧只含一个回波</translation>
+        </message>
+        <message>
+            <source>dual_return=false, or a sensor with packets of Velodyne, Ouster or Hesai</source>
+            <translation>dual_return=false，或采用 Velodyne、Ouster 或 Hesai 数据包的传感器</translation>
+        </message>
+        <message>
+            <source>a route of %1 points</source>
+            <translation>有 %1 个点的路线</translation>
+        </message>
+        <message>
+            <source>a walk of at least a metre</source>
+            <translation>至少一米的行走路线</translation>
         </message>
     </context>
     <context>
