@@ -5942,6 +5942,14 @@
     <context>
         <name>plant</name>
         <message>
+            <source>the table of traits has %1 rows</source>
+            <translation>性状表有 %1 行</translation>
+        </message>
+        <message>
+            <source>one plant</source>
+            <translation>一株植株</translation>
+        </message>
+        <message>
             <source>Edit %1 (%2) was not applied: %3.</source>
             <translation>第 %1 项编辑（%2）未应用：%3。</translation>
         </message>
@@ -5954,8 +5962,44 @@
             <translation>指定</translation>
         </message>
         <message>
+            <source>trait is '%1'</source>
+            <translation>trait 为“%1”</translation>
+        </message>
+        <message>
+            <source>height, breadth_length, breadth_width or stem_diameter</source>
+            <translation>height、breadth_length、breadth_width 或 stem_diameter</translation>
+        </message>
+        <message>
+            <source>the box ends before it begins</source>
+            <translation>范围框的终点在起点之前</translation>
+        </message>
+        <message>
+            <source>min below max in x, y and z</source>
+            <translation>在 x、y 和 z 上 min 均小于 max</translation>
+        </message>
+        <message>
+            <source>assign does not say which points</source>
+            <translation>assign 没有说明是哪些点</translation>
+        </message>
+        <message>
+            <source>at and radius_m, or min and max, or outline (and eye)</source>
+            <translation>at 和 radius_m，或 min 和 max，或 outline（和 eye）</translation>
+        </message>
+        <message>
             <source>finding where to look</source>
             <translation>确定查找范围</translation>
+        </message>
+        <message>
+            <source>no depth of two views lies at one place of the region</source>
+            <translation>区域内没有一处有两个视图的深度</translation>
+        </message>
+        <message>
+            <source>depth of the plant</source>
+            <translation>植株的深度</translation>
+        </message>
+        <message>
+            <source>Check the region, the poses and the depth scale</source>
+            <translation>请检查区域、位姿和深度比例</translation>
         </message>
         <message>
             <source>Voxels of %1 mm need more than %2 MiB: %3 mm were used. Give a smaller region or more memory.</source>
@@ -5966,8 +6010,68 @@
             <translation>渲染深度</translation>
         </message>
         <message>
+            <source>it ends early</source>
+            <translation>提前结束</translation>
+        </message>
+        <message>
+            <source>it has no fact 'field' or no column 'value'</source>
+            <translation>没有附注“field”或没有列“value”</translation>
+        </message>
+        <message>
             <source>reading views</source>
             <translation>读取视图</translation>
+        </message>
+        <message>
+            <source>view %1 has no colour image</source>
+            <translation>视图 %1 没有彩色图像</translation>
+        </message>
+        <message>
+            <source>colour images with three channels</source>
+            <translation>三通道的彩色图像</translation>
+        </message>
+        <message>
+            <source>the masks of the views leave no room in common</source>
+            <translation>各视图的掩膜没有共同的空间</translation>
+        </message>
+        <message>
+            <source>masks that show one object from all sides</source>
+            <translation>从各个方向显示同一物体的掩膜</translation>
+        </message>
+        <message>
+            <source>Check masks and poses, or give background=scene, which uses no masks</source>
+            <translation>请检查掩膜和位姿，或设置不用掩膜的 background=scene</translation>
+        </message>
+        <message>
+            <source>pose %1 of %2 poses</source>
+            <translation>%2 个位姿中的位姿 %1</translation>
+        </message>
+        <message>
+            <source>the table is no field: %1</source>
+            <translation>该表不是辐射场：%1</translation>
+        </message>
+        <message>
+            <source>the output 'field' of plant.field</source>
+            <translation>plant.field 的输出“field”</translation>
+        </message>
+        <message>
+            <source>value %1 is %2</source>
+            <translation>值 %1 为 %2</translation>
+        </message>
+        <message>
+            <source>its step is out of range</source>
+            <translation>步长超出范围</translation>
+        </message>
+        <message>
+            <source>it has %1 boxes</source>
+            <translation>有 %1 个框</translation>
+        </message>
+        <message>
+            <source>a box has no blocks</source>
+            <translation>一个框没有块</translation>
+        </message>
+        <message>
+            <source>a box is larger than its numbers</source>
+            <translation>一个框大于其数值</translation>
         </message>
         <message>
             <source>The stem could not be followed from its foot: leaves and internodes were not measured. Look at the base of the plant.</source>
@@ -6006,12 +6110,68 @@
             <translation>没有三个视图在任何一点上一致。视图需要纹理、位姿以及彼此间 2 至 40 度的夹角。</translation>
         </message>
         <message>
+            <source>the points have no fact '%1'</source>
+            <translation>点没有附注“%1”</translation>
+        </message>
+        <message>
+            <source>points of plant.separate</source>
+            <translation>plant.separate 的点</translation>
+        </message>
+        <message>
+            <source>connect the output 'points' of a stage plant.separate</source>
+            <translation>请连接步骤 plant.separate 的输出“points”</translation>
+        </message>
+        <message>
+            <source>the fact '%1' of the points is '%2'</source>
+            <translation>点的附注“%1”为“%2”</translation>
+        </message>
+        <message>
+            <source>the facts of the points give an up direction and a soil that do not fit</source>
+            <translation>点的附注给出的朝上方向与土壤不符</translation>
+        </message>
+        <message>
+            <source>directions of length 1, the soil roughly level</source>
+            <translation>长度为 1 的方向，土壤大致水平</translation>
+        </message>
+        <message>
+            <source>run plant.separate again</source>
+            <translation>请重新运行 plant.separate</translation>
+        </message>
+        <message>
             <source>The plant begins %1 mm above the soil: the lower stem is missing in the cloud.</source>
             <translation>植株从土壤以上 %1 mm 处开始：点云缺少茎的下部。</translation>
         </message>
         <message>
             <source>%1 points of the plant, %2 floaters</source>
             <translation>植株 %1 个点，悬浮点 %2 个</translation>
+        </message>
+        <message>
+            <source>the option %1 is '%2'</source>
+            <translation>选项 %1 为“%2”</translation>
+        </message>
+        <message>
+            <source>the option box is '%1'</source>
+            <translation>选项 box 为“%1”</translation>
+        </message>
+        <message>
+            <source>minimum before maximum on each axis</source>
+            <translation>各轴上最小值在最大值之前</translation>
+        </message>
+        <message>
+            <source>the cloud has %1 points in the box</source>
+            <translation>点云在范围框内有 %1 个点</translation>
+        </message>
+        <message>
+            <source>check the reconstruction, or the option box</source>
+            <translation>请检查重建，或选项 box</translation>
+        </message>
+        <message>
+            <source>all points of the cloud lie at one place</source>
+            <translation>点云的所有点都在同一处</translation>
+        </message>
+        <message>
+            <source>a plant</source>
+            <translation>植株</translation>
         </message>
         <message>
             <source>The scale of the cloud is unknown: traits are in thousandths of its unit, not in millimetres. Use a board (mat.json), a depth camera, or set scale=metres.</source>
@@ -6026,12 +6186,24 @@
             <translation>没有找到能表明哪个方向朝上的桌面、垫板或土壤：取 z 轴。请检查，或设置 up。</translation>
         </message>
         <message>
+            <source>only %1 points stand above soil, pot and table</source>
+            <translation>土壤、盆和桌面以上只有 %1 个点</translation>
+        </message>
+        <message>
+            <source>check the reconstruction, up and box</source>
+            <translation>请检查重建、up 和 box</translation>
+        </message>
+        <message>
             <source>The cloud has no stem near the soil: the middle of the pot is taken for its foot. Set base where that is wrong.</source>
             <translation>点云在土壤附近没有茎：以盆的中心为茎的基部。如果不对，请设置 base。</translation>
         </message>
         <message>
             <source>No round pot was found. Heights are counted from the level surface below the plant; check the soil, or set base.</source>
             <translation>没有找到圆形的盆。高度自植株下方的水平面起算；请检查土壤，或设置 base。</translation>
+        </message>
+        <message>
+            <source>nothing stands above the table</source>
+            <translation>桌面以上没有任何东西</translation>
         </message>
         <message>
             <source>No soil was found: heights are counted from the lowest point of the cloud.</source>
@@ -6046,16 +6218,84 @@
             <translation>比较视图</translation>
         </message>
         <message>
+            <source>%1 of %2 views have a pose</source>
+            <translation>%2 个视图中有 %1 个带位姿</translation>
+        </message>
+        <message>
+            <source>Connect the poses that belong to these views (their times must agree)</source>
+            <translation>请连接属于这些视图的位姿（其时间须一致）</translation>
+        </message>
+        <message>
             <source>%1 of %2 views have no pose and are left out.</source>
             <translation>%2 个视图中有 %1 个没有位姿，已舍去。</translation>
+        </message>
+        <message>
+            <source>the views look in one direction and have no depth</source>
+            <translation>各视图朝同一方向，且没有深度</translation>
+        </message>
+        <message>
+            <source>views from around the plant, or depth</source>
+            <translation>环绕植株的视图，或深度</translation>
+        </message>
+        <message>
+            <source>Give the region with the option 'region'</source>
+            <translation>请用选项“region”给出区域</translation>
+        </message>
+        <message>
+            <source>the region is '%1'</source>
+            <translation>区域为“%1”</translation>
+        </message>
+        <message>
+            <source>six numbers: min x, y, z, max x, y, z in metres, min below max</source>
+            <translation>以米计的六个数：min x, y, z, max x, y, z，min 小于 max</translation>
+        </message>
+        <message>
+            <source>no view has a depth above zero</source>
+            <translation>没有视图含有大于零的深度</translation>
+        </message>
+        <message>
+            <source>views with depth</source>
+            <translation>含有深度的视图</translation>
+        </message>
+        <message>
+            <source>Look at the depth images of the folder</source>
+            <translation>请检查文件夹中的深度图像</translation>
         </message>
         <message>
             <source>Few places are seen by %1 % of the views: the region holds what %2 % see. Give the region with the option 'region' where it is wrong.</source>
             <translation>很少有地方被 %1 % 的视图看到：区域取 %2 % 的视图所见的范围。如果不对，请用选项“region”给出区域。</translation>
         </message>
         <message>
+            <source>no place is seen by several of the %1 views</source>
+            <translation>没有一处被 %1 个视图中的多个看到</translation>
+        </message>
+        <message>
+            <source>views that look at one plant</source>
+            <translation>朝向同一植株的视图</translation>
+        </message>
+        <message>
+            <source>Check the poses, or give the region with the option 'region'</source>
+            <translation>请检查位姿，或用选项“region”给出区域</translation>
+        </message>
+        <message>
+            <source>the views have no depth</source>
+            <translation>视图没有深度</translation>
+        </message>
+        <message>
+            <source>views of an RGB-D camera</source>
+            <translation>RGB-D 相机的视图</translation>
+        </message>
+        <message>
+            <source>Use plant.field without a start, or plant.match_views</source>
+            <translation>请使用 plant.field 而不给初始，或使用 plant.match_views</translation>
+        </message>
+        <message>
             <source>finding the surfaces</source>
             <translation>查找表面</translation>
+        </message>
+        <message>
+            <source>no depth lies in the region</source>
+            <translation>区域内没有深度</translation>
         </message>
         <message>
             <source>Voxels of %1 mm need more than %2 MiB: %3 mm were used. Give a smaller region, or more memory.</source>
@@ -6064,6 +6304,62 @@
         <message>
             <source>fusing depth</source>
             <translation>融合深度</translation>
+        </message>
+        <message>
+            <source>the checkpoint %1 is damaged: %2</source>
+            <translation>检查点 %1 已损坏：%2</translation>
+        </message>
+        <message>
+            <source>a file that a training has written</source>
+            <translation>训练写出的文件</translation>
+        </message>
+        <message>
+            <source>Delete it to train from the start</source>
+            <translation>请删除它以从头训练</translation>
+        </message>
+        <message>
+            <source>the checkpoint %1 cannot be read</source>
+            <translation>无法读取检查点 %1</translation>
+        </message>
+        <message>
+            <source>its content has changed or is cut off</source>
+            <translation>其内容已改变或被截断</translation>
+        </message>
+        <message>
+            <source>it begins with something else</source>
+            <translation>开头不是应有的内容</translation>
+        </message>
+        <message>
+            <source>it has %1 bytes</source>
+            <translation>有 %1 字节</translation>
+        </message>
+        <message>
+            <source>the checkpoint %1 belongs to another training</source>
+            <translation>检查点 %1 属于另一次训练</translation>
+        </message>
+        <message>
+            <source>one with the same options, region, pictures and poses</source>
+            <translation>选项、区域、图像和位姿都相同的训练</translation>
+        </message>
+        <message>
+            <source>Delete it, or give this training a checkpoint of its own</source>
+            <translation>请删除它，或为此训练指定单独的检查点</translation>
+        </message>
+        <message>
+            <source>%1 bytes are left over</source>
+            <translation>多余 %1 字节</translation>
+        </message>
+        <message>
+            <source>all views are kept back</source>
+            <translation>所有视图都被保留</translation>
+        </message>
+        <message>
+            <source>views to learn from</source>
+            <translation>用于学习的视图</translation>
+        </message>
+        <message>
+            <source>Set hold_out to 0</source>
+            <translation>请将 hold_out 设为 0</translation>
         </message>
         <message>
             <source>The training went on after step %1 of %2, from %3.</source>
@@ -6142,6 +6438,22 @@
             <translation>图像中的叶尖</translation>
         </message>
         <message>
+            <source>the table of traits does not tell how it was measured</source>
+            <translation>性状表没有说明是如何测得的</translation>
+        </message>
+        <message>
+            <source>the output 'traits' of plant.traits</source>
+            <translation>plant.traits 的输出“traits”</translation>
+        </message>
+        <message>
+            <source>the fact 'plant_trait_options' is damaged</source>
+            <translation>附注“plant_trait_options”已损坏</translation>
+        </message>
+        <message>
+            <source>a JSON object</source>
+            <translation>JSON 对象</translation>
+        </message>
+        <message>
             <source>not measured</source>
             <translation>未测</translation>
         </message>
@@ -6164,6 +6476,22 @@
         <message>
             <source>stem above the height of measurement</source>
             <translation>测量高度以上的茎</translation>
+        </message>
+        <message>
+            <source>the points have no column 'part'</source>
+            <translation>点没有列“part”</translation>
+        </message>
+        <message>
+            <source>the cloud has %1 points of the plant</source>
+            <translation>点云中植株有 %1 个点</translation>
+        </message>
+        <message>
+            <source>at least 20</source>
+            <translation>至少 20 个</translation>
+        </message>
+        <message>
+            <source>look at the column 'part', and set up, box or base of plant.separate</source>
+            <translation>请检查列“part”，并设置 plant.separate 的 up、box 或 base</translation>
         </message>
         <message>
             <source>The scale of the cloud is unknown: the columns in mm hold thousandths of its unit.</source>
