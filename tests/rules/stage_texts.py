@@ -20,7 +20,7 @@ REFUSALS = {"bad_input", "failure"}  # what was found, what was needed, what to 
 # Modules whose errors are asked for. Those of the others are mostly of damaged files.
 WITH_REFUSALS = {
     "base", "camera", "cloud", "documents", "evaluation", "geo", "ground", "inventory", "io", "pipeline", "plant",
-    "render", "report", "rows", "sensor", "sim", "slam", "steering", "stems", "survey", "vtkbridge",
+    "render", "report", "rgbd", "rows", "sensor", "sim", "slam", "steering", "stems", "survey", "vtkbridge",
 }
 # Of these files only programs see errors: results that were stored, and data from Python and ParaView.
 FOR_PROGRAMS = re.compile(r"modules/(?:cloud/serialize|pipeline/report_json|vtkbridge/(?:grid_and_path_conversion|result_cache))\.cpp")

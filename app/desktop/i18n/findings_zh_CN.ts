@@ -7111,8 +7111,92 @@
             <translation>首格为白色，标志从上行起编号</translation>
         </message>
         <message>
+            <source>the board's dictionary is '%1'</source>
+            <translation>标定板的字典为“%1”</translation>
+        </message>
+        <message>
+            <source>the board has %1 x %2 squares of %3 m with markers of %4 m</source>
+            <translation>标定板有 %1 x %2 个方格，方格 %3 m，标志 %4 m</translation>
+        </message>
+        <message>
+            <source>2 to 1000 squares in each direction</source>
+            <translation>每个方向 2 至 1000 个方格</translation>
+        </message>
+        <message>
+            <source>Correct mat.json.</source>
+            <translation>请更正 mat.json。</translation>
+        </message>
+        <message>
+            <source>markers smaller than their squares</source>
+            <translation>标志小于其方格</translation>
+        </message>
+        <message>
+            <source>Correct square_mm and marker_mm in mat.json.</source>
+            <translation>请更正 mat.json 中的 square_mm 和 marker_mm。</translation>
+        </message>
+        <message>
+            <source>the views have no board (mat.json)</source>
+            <translation>视图没有标定板（mat.json）</translation>
+        </message>
+        <message>
+            <source>the board that they show</source>
+            <translation>视图所示的标定板</translation>
+        </message>
+        <message>
+            <source>Set board=chessboard or board=charuco with columns, rows and square, or write mat.json</source>
+            <translation>请设置 board=chessboard 或 board=charuco 以及 columns、rows 和 square，或编写 mat.json</translation>
+        </message>
+        <message>
+            <source>a chessboard of %1 x %2 squares is too small</source>
+            <translation>%1 x %2 个方格的棋盘格太小</translation>
+        </message>
+        <message>
+            <source>4 x 4 squares or more</source>
+            <translation>4 x 4 个方格或更多</translation>
+        </message>
+        <message>
             <source>looking for the board</source>
             <translation>查找标定板</translation>
+        </message>
+        <message>
+            <source>the corners have no column 'view'</source>
+            <translation>角点没有列“view”</translation>
+        </message>
+        <message>
+            <source>view, x_px, y_px, board_x_m, board_y_m</source>
+            <translation>view、x_px、y_px、board_x_m、board_y_m 各列</translation>
+        </message>
+        <message>
+            <source>row %1 of the corners has a missing number</source>
+            <translation>角点的第 %1 行缺少一个数</translation>
+        </message>
+        <message>
+            <source>four numbers</source>
+            <translation>四个数</translation>
+        </message>
+        <message>
+            <source>there are no views</source>
+            <translation>没有视图</translation>
+        </message>
+        <message>
+            <source>pictures of a board</source>
+            <translation>标定板的图像</translation>
+        </message>
+        <message>
+            <source>neither views nor corners are connected</source>
+            <translation>视图和角点都未连接</translation>
+        </message>
+        <message>
+            <source>pictures of a board, or a table of its corners</source>
+            <translation>标定板的图像，或其角点的表</translation>
+        </message>
+        <message>
+            <source>the size of the images is not given</source>
+            <translation>没有给出图像的尺寸</translation>
+        </message>
+        <message>
+            <source>the options width and height, in pixels</source>
+            <translation>以像素计的选项 width 和 height</translation>
         </message>
         <message>
             <source>depth camera: %1</source>
@@ -7127,6 +7211,14 @@
             <translation>%2 个视图中的 %1 个，残差 %3 px</translation>
         </message>
         <message>
+            <source>marker is %1 m and square %2 m</source>
+            <translation>marker 为 %1 m，square 为 %2 m</translation>
+        </message>
+        <message>
+            <source>markers smaller than the squares</source>
+            <translation>标志小于方格</translation>
+        </message>
+        <message>
             <source>reading the depth of the boards</source>
             <translation>读取标定板的深度</translation>
         </message>
@@ -7137,6 +7229,66 @@
         <message>
             <source>the boards leave the place of the depth camera open (standard deviation %1 mm): the depth stays as given. Tilt the boards more</source>
             <translation>标定板不能确定深度相机的位置（标准差 %1 mm）：深度保持给定值。请使标定板更加倾斜</translation>
+        </message>
+        <message>
+            <source>%1 views of the board were taken by both cameras</source>
+            <translation>两台相机都拍到标定板的视图有 %1 个</translation>
+        </message>
+        <message>
+            <source>%1 at least, at the same times</source>
+            <translation>至少 %1 个，时间相同</translation>
+        </message>
+        <message>
+            <source>the corners of %1 views fit no camera (%2)</source>
+            <translation>%1 个视图的角点与任何相机都不符（%2）</translation>
+        </message>
+        <message>
+            <source>views of one flat board, tilted in several directions</source>
+            <translation>同一平面标定板向多个方向倾斜的视图</translation>
+        </message>
+        <message>
+            <source>%1 of %2 views show the board</source>
+            <translation>%2 个视图中有 %1 个拍到标定板</translation>
+        </message>
+        <message>
+            <source>%1 views at least, better 20</source>
+            <translation>至少 %1 个视图，最好 20 个</translation>
+        </message>
+        <message>
+            <source>Check the size of the board (columns and rows count squares), or take more pictures</source>
+            <translation>请检查标定板的尺寸（columns 和 rows 为方格数），或拍摄更多图像</translation>
+        </message>
+        <message>
+            <source>the boards of all %1 views are parallel to within %2 deg</source>
+            <translation>全部 %1 个视图的标定板在 %2 度以内互相平行</translation>
+        </message>
+        <message>
+            <source>boards that are tilted by 20 deg and more, in several directions</source>
+            <translation>标定板向多个方向倾斜 20 度或更多</translation>
+        </message>
+        <message>
+            <source>the views leave the focal length open by %1 % (standard deviation)</source>
+            <translation>视图使焦距的不确定度达 %1 %（标准差）</translation>
+        </message>
+        <message>
+            <source>boards that are tilted more, and nearer</source>
+            <translation>标定板倾斜更大、更近</translation>
+        </message>
+        <message>
+            <source>Take 20 views, near and far, in all corners</source>
+            <translation>请拍摄 20 个视图，远近都有，遍及图像各角</translation>
+        </message>
+        <message>
+            <source>the views give a distortion that folds the image</source>
+            <translation>视图得出的畸变使图像折叠</translation>
+        </message>
+        <message>
+            <source>corners in all parts of the image</source>
+            <translation>遍及图像各部分的角点</translation>
+        </message>
+        <message>
+            <source>Set distortion=k1_k2, or take views with the board in the corners of the image</source>
+            <translation>请设置 distortion=k1_k2，或拍摄标定板位于图像各角的视图</translation>
         </message>
         <message>
             <source>%1 views do not fit the others and are left out: %2</source>
@@ -7159,12 +7311,104 @@
             <translation>拟合相机</translation>
         </message>
         <message>
+            <source>a depth image is %1 x %2 pixels, its camera %3 x %4</source>
+            <translation>深度图像为 %1 x %2 像素，其相机为 %3 x %4</translation>
+        </message>
+        <message>
+            <source>one size</source>
+            <translation>相同的尺寸</translation>
+        </message>
+        <message>
+            <source>Give the depth camera (depth, depth_to_color), or depth registered to colour.</source>
+            <translation>请给出深度相机（depth、depth_to_color），或与彩色配准的深度。</translation>
+        </message>
+        <message>
+            <source>an image has %1 channels</source>
+            <translation>图像有 %1 个通道</translation>
+        </message>
+        <message>
+            <source>1 or 3</source>
+            <translation>1 或 3 个</translation>
+        </message>
+        <message>
+            <source>features of two kinds are compared</source>
+            <translation>比较的特征种类不同</translation>
+        </message>
+        <message>
+            <source>one kind</source>
+            <translation>同一种类</translation>
+        </message>
+        <message>
             <source>bundle adjustment</source>
             <translation>光束法平差</translation>
         </message>
         <message>
+            <source>Check the folder of the views.</source>
+            <translation>请检查视图的文件夹。</translation>
+        </message>
+        <message>
+            <source>there are %1 views</source>
+            <translation>有 %1 个视图</translation>
+        </message>
+        <message>
+            <source>Read every n-th view, or a part of them (options every and max_views of io.read_views).</source>
+            <translation>请每隔若干视图读取一个，或只读取一部分（io.read_views 的选项 every 和 max_views）。</translation>
+        </message>
+        <message>
+            <source>measured depth is %1 times what the board says</source>
+            <translation>测得的深度是标定板所示的 %1 倍</translation>
+        </message>
+        <message>
+            <source>depth and board of one size</source>
+            <translation>尺寸一致的深度和标定板</translation>
+        </message>
+        <message>
+            <source>Correct depth_scale (units per metre) in camera.json, or square_mm in mat.json.</source>
+            <translation>请更正 camera.json 中的 depth_scale（每米的单位数），或 mat.json 中的 square_mm。</translation>
+        </message>
+        <message>
             <source>measured depth is %1 times what the board says; the scale of the board is used. Check depth_scale in camera.json and square_mm in mat.json</source>
             <translation>测得的深度是标定板所示的 %1 倍；采用标定板的比例。请检查 camera.json 中的 depth_scale 和 mat.json 中的 square_mm</translation>
+        </message>
+        <message>
+            <source>there is one view and no board in it</source>
+            <translation>只有一个视图，且其中没有标定板</translation>
+        </message>
+        <message>
+            <source>at least 2 views, or a board that fixes the pose</source>
+            <translation>至少 2 个视图，或能确定位姿的标定板</translation>
+        </message>
+        <message>
+            <source>Give a folder with all views.</source>
+            <translation>请给出含有全部视图的文件夹。</translation>
+        </message>
+        <message>
+            <source>no feature of any view has depth</source>
+            <translation>没有视图的特征带有深度</translation>
+        </message>
+        <message>
+            <source>the views have no depth and no board</source>
+            <translation>视图既没有深度也没有标定板</translation>
+        </message>
+        <message>
+            <source>depth images, or a ChArUco board in the views</source>
+            <translation>深度图像，或视图中的 ChArUco 标定板</translation>
+        </message>
+        <message>
+            <source>Check the depth images and depth_scale, or give poses and source=given. Poses without scale: allow_unscaled=true.</source>
+            <translation>请检查深度图像和 depth_scale，或给出位姿并设置 source=given。不带比例的位姿：allow_unscaled=true。</translation>
+        </message>
+        <message>
+            <source>no two of the views show the same thing</source>
+            <translation>没有两个视图拍到同样的内容</translation>
+        </message>
+        <message>
+            <source>at least %1 matches between two views</source>
+            <translation>两个视图之间至少 %1 个匹配</translation>
+        </message>
+        <message>
+            <source>Take views that overlap by half or more, with texture in them.</source>
+            <translation>请拍摄重叠一半或更多、且有纹理的视图。</translation>
         </message>
         <message>
             <source>the bundle adjustment found no solution, and the first poses are kept: %1</source>
@@ -7173,6 +7417,42 @@
         <message>
             <source>the views have neither depth nor a board: lengths are in units of the median distance of the points, not in metres</source>
             <translation>视图既没有深度也没有标定板：长度以点的中位距离为单位，而不是米</translation>
+        </message>
+        <message>
+            <source>the views came without poses</source>
+            <translation>视图没有附带位姿</translation>
+        </message>
+        <message>
+            <source>a trajectory, or source=slam</source>
+            <translation>轨迹，或 source=slam</translation>
+        </message>
+        <message>
+            <source>Set source=slam, or put poses.tum beside the views.</source>
+            <translation>请设置 source=slam，或将 poses.tum 放在视图旁。</translation>
+        </message>
+        <message>
+            <source>the given pose of view %1 (%2) is no rigid motion</source>
+            <translation>视图 %1（%2）的给定位姿不是刚体运动</translation>
+        </message>
+        <message>
+            <source>an orthonormal rotation with determinant +1 and a finite place</source>
+            <translation>行列式为 +1 的正交旋转和有限的位置</translation>
+        </message>
+        <message>
+            <source>Correct the file of poses, or set source=slam.</source>
+            <translation>请更正位姿文件，或设置 source=slam。</translation>
+        </message>
+        <message>
+            <source>none of the given poses has the time of a view</source>
+            <translation>给定的位姿都没有与任何视图相同的时间</translation>
+        </message>
+        <message>
+            <source>times that agree to a microsecond</source>
+            <translation>相差不超过一微秒的时间</translation>
+        </message>
+        <message>
+            <source>Correct the times in the file of poses, or set source=slam.</source>
+            <translation>请更正位姿文件中的时间，或设置 source=slam。</translation>
         </message>
         <message>
             <source>the given poses could not be checked: the views have too few matches with depth</source>
@@ -7251,6 +7531,14 @@
             <translation>跟踪了 %2 个视图中的 %1 个；%3</translation>
         </message>
         <message>
+            <source>the image of view %1 (%2) is %3 x %4 pixels, its camera %5 x %6</source>
+            <translation>视图 %1（%2）的图像为 %3 x %4 像素，其相机为 %5 x %6</translation>
+        </message>
+        <message>
+            <source>Correct width and height of the camera.</source>
+            <translation>请更正相机的 width 和 height。</translation>
+        </message>
+        <message>
             <source>the views should show a board, but it was found in none of them; check dictionary, squares and marker size in mat.json</source>
             <translation>视图应拍到标定板，但没有一个视图中找到它；请检查 mat.json 中的字典、方格数和标志尺寸</translation>
         </message>
@@ -7265,6 +7553,18 @@
         <message>
             <source>finding features</source>
             <translation>提取特征</translation>
+        </message>
+        <message>
+            <source>no view has any feature: the images are black or without texture</source>
+            <translation>没有视图含有任何特征：图像全黑或没有纹理</translation>
+        </message>
+        <message>
+            <source>views with texture</source>
+            <translation>有纹理的视图</translation>
+        </message>
+        <message>
+            <source>Check the images, the exposure and the lamp.</source>
+            <translation>请检查图像、曝光和灯光。</translation>
         </message>
         <message>
             <source> and %1 more</source>
