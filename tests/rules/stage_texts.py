@@ -19,8 +19,8 @@ HELD = {  # members whose text is told later
 REFUSALS = {"bad_input", "failure"}  # what was found, what was needed, what to do
 # Modules whose errors are asked for. Those of the others are mostly of damaged files.
 WITH_REFUSALS = {
-    "base", "camera", "cloud", "documents", "evaluation", "geo", "ground", "inventory", "io", "pipeline", "plant",
-    "render", "report", "rgbd", "rows", "sensor", "sim", "slam", "steering", "stems", "survey", "vtkbridge",
+    "alignment", "base", "camera", "cloud", "documents", "evaluation", "geo", "ground", "inventory", "io", "pipeline",
+    "plant", "render", "report", "rgbd", "rows", "sensor", "sim", "slam", "steering", "stems", "survey", "vtkbridge",
 }
 # Of these files only programs see errors: results that were stored, and data from Python and ParaView.
 FOR_PROGRAMS = re.compile(r"modules/(?:cloud/serialize|pipeline/report_json|vtkbridge/(?:grid_and_path_conversion|result_cache))\.cpp")

@@ -2,6 +2,53 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN">
     <context>
+        <name>alignment</name>
+        <message>
+            <source>a distance of %1 m</source>
+            <translation>距离 %1 m</translation>
+        </message>
+        <message>
+            <source>more than 0</source>
+            <translation>大于 0</translation>
+        </message>
+        <message>
+            <source>a cloud without points</source>
+            <translation>没有点的点云</translation>
+        </message>
+        <message>
+            <source>two with points</source>
+            <translation>两个都有点</translation>
+        </message>
+        <message>
+            <source>a reach of %1 m</source>
+            <translation>搜索范围 %1 m</translation>
+        </message>
+        <message>
+            <source>%1 pairs of points</source>
+            <translation>%1 对点</translation>
+        </message>
+        <message>
+            <source>3 that are not on a line</source>
+            <translation>3 对不在一条直线上的点</translation>
+        </message>
+        <message>
+            <source>Pick more pairs</source>
+            <translation>请选取更多点对</translation>
+        </message>
+        <message>
+            <source>the points of the pairs lie on a line</source>
+            <translation>点对的点在一条直线上</translation>
+        </message>
+        <message>
+            <source>some beside it, so that the turn about it is known</source>
+            <translation>线外的一些点，以确定绕该线的旋转</translation>
+        </message>
+        <message>
+            <source>Pick a pair away from the line</source>
+            <translation>请在远离该线处选取一对点</translation>
+        </message>
+    </context>
+    <context>
         <name>base</name>
         <message>
             <source>Move the folder away</source>
