@@ -1,5 +1,5 @@
-"""Every sentence that stages tell: findings, warnings, messages and progress, with %1, %2 ... for what is inserted, and
-what the errors of some modules say.
+"""Every sentence that stages tell: findings, warnings, messages, progress and errors, with %1, %2 ... for what is
+inserted.
 
     python3 tests/rules/stage_texts.py          lists them with the line that tells them
 """
@@ -17,11 +17,6 @@ HELD = {  # members whose text is told later
     "message", "warning", "stopped", "why", "lost", "note", "evidence", "unknown", "assumed_size", "rejected", "error",
 }
 REFUSALS = {"bad_input", "failure"}  # what was found, what was needed, what to do
-# Modules whose errors are asked for. Those of the others are mostly of damaged files.
-WITH_REFUSALS = {
-    "alignment", "base", "camera", "cloud", "documents", "evaluation", "geo", "ground", "inventory", "io", "pipeline",
-    "plant", "render", "report", "rgbd", "rows", "sensor", "sim", "slam", "steering", "stems", "survey", "vtkbridge",
-}
 # Of these files only programs see errors: results that were stored, and data from Python and ParaView.
 FOR_PROGRAMS = re.compile(r"modules/(?:cloud/serialize|pipeline/report_json|vtkbridge/(?:grid_and_path_conversion|result_cache))\.cpp")
 # Texts that stand in tables of the code: units, and edits (those with an underscore stay names).
@@ -367,7 +362,7 @@ def roots(source):
         if tokens[i + 1].is_op("(", "{"):
             if token.text.endswith("Conflict") and tokens[i - 1].text in {"throw", "return"}:
                 yield i, arguments_at(tokens, i)[0]  # becomes a warning
-            if token.text in REFUSALS and source.module in WITH_REFUSALS and not FOR_PROGRAMS.fullmatch(source.path):
+            if token.text in REFUSALS and not FOR_PROGRAMS.fullmatch(source.path):
                 yield from ((i, a) for a in arguments_at(tokens, i)[:3] if a)
             if not member:
                 continue
