@@ -70,7 +70,7 @@ pipeline::PipelineDocument load_pipeline(const std::string& path_or_name) {
   const bool is_document = path.extension() == ".json" && !fs::is_directory(path, ignored);
   if (!is_document && (fs::is_regular_file(path, ignored) || fs::is_directory(path, ignored))) {
     if (const auto* format = io::find_format(path))
-      throw bad_input("'" + path.string() + "' is a " + std::string(io::content_name(format->content())) + " (" +
+      throw bad_input("'" + path.string() + "' is " + std::string(io::content_with_article(format->content())) + " (" +
                           std::string(format->name) + ")",
                       "a pipeline document (JSON)", "To survey it: bole survey " + path.string() + " --out DIR");
     if (fs::is_directory(path, ignored))

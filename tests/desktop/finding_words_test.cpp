@@ -100,6 +100,13 @@ class FindingWordsTest : public QObject {
                            .at("slice");
     QCOMPARE(finding_words(QString(error.what())),
              QStringLiteral("slice: 300 个点都没有离地高度；需要：点以下的地形模型。请查看地面步骤：是否找到地面？"));
+    // "and" and "or" of one part are no tails of the others, and what stands in quotes may have blanks.
+    const auto cut = bad_input("'my new plot.ply' has 12 bytes", "fields x, y and z", "Copy or export the file again");
+    QCOMPARE(finding_words(QString(cut.at("'my plot.csv'").what())),
+             QStringLiteral("'my plot.csv': “my new plot.ply”有 12 字节；需要：字段 x、y 和 z。请重新复制或导出文件"));
+    const auto other = bad_input("this is a point cloud: LAS", "a scan", "Read it with the stage io.read_cloud");
+    QCOMPARE(finding_words(QString(other.what())),
+             QStringLiteral("这是点云：LAS；需要：扫描。请用步骤 io.read_cloud 读取"));
   }
 
   void names_of_stages_and_lines_stay() {

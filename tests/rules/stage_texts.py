@@ -1,5 +1,5 @@
-"""Every sentence that stages tell: findings, warnings, messages and progress, with %1, %2 ... for what is inserted, and
-what the errors of some modules say.
+"""Every sentence that stages tell: findings, warnings, messages, progress and errors, with %1, %2 ... for what is
+inserted.
 
     python3 tests/rules/stage_texts.py          lists them with the line that tells them
 """
@@ -17,16 +17,20 @@ HELD = {  # members whose text is told later
     "message", "warning", "stopped", "why", "lost", "note", "evidence", "unknown", "assumed_size", "rejected", "error",
 }
 REFUSALS = {"bad_input", "failure"}  # what was found, what was needed, what to do
-# Modules whose errors are asked for. Those of the others are mostly of damaged files.
-WITH_REFUSALS = {
-    "base", "cloud", "documents", "evaluation", "geo", "ground", "inventory", "pipeline", "rows", "slam", "stems", "survey", "vtkbridge",
-}
 # Of these files only programs see errors: results that were stored, and data from Python and ParaView.
 FOR_PROGRAMS = re.compile(r"modules/(?:cloud/serialize|pipeline/report_json|vtkbridge/(?:grid_and_path_conversion|result_cache))\.cpp")
 # Texts that stand in tables of the code: units, and edits (those with an underscore stay names).
 IN_TABLES = {
     "modules/stems/core/edits/stem_edits.cpp": [
         "add", "delete", "move", "resize", "split", "merge", "accept", "reject", "note", "tilt",
+    ],
+    "modules/io/core/formats.cpp": [
+        "a scan", "a point cloud", "a table", "a track", "a trajectory", "a folder of views",
+        "a compressed archive", "Unpack it first", "an HDF5 file", "Export it as LAS or PLY",
+    ],
+    "modules/io/core/scan_format_rows.cpp": [
+        "Ouster capture", "Hesai capture", "Velodyne capture", "ROS 1 bag", "ROS 2 bag", "folder of a ROS 2 bag",
+        "folder of frames", "KITTI frame",
     ],
     "modules/plant/core/edits/plant_edits.cpp": ["assign"],
     "modules/rows/core/edits/row_edits.cpp": ["renumber"],
@@ -40,8 +44,9 @@ IN_TABLES = {
 # Figures are called by the first argument of `add`, or by a member; progress says which is drawn.
 FIGURES = {"modules/report/survey_figures.cpp", "modules/report/compare/compare_figures.cpp"}
 NO_WORDS = {"Livox", "unit", "up", f"--set {PLACE}"}  # names, also of options
-FILE = re.compile(r"tum_freiburg|<.*|[\w%./*-]*(?:\.(?:csv|html|json|tum|ply|xlsx|gpkg|geojson|laz|las|tif)|/|changed-[%\d-]*)")
+FILE = re.compile(r"tum_freiburg|<.*|(?:, )?[\w%./*-]*(?:\.(?:mp4|csv|html|json|tum|ply|xlsx|gpkg|geojson|laz|las|tif)|/|changed-[%\d-]*)")
 UNITS = set("m mm cm km ms min deg mrad rad px pixel Hz kHz MHz MiB GiB KiB MB GB ha kg th nd st dB ppm".split())
+WORDS = {"both", "degrees", "empty", "fewer", "metres", "millimetres", "numbers", "one", "some"}  # alone, and no names
 NUMBERS = {"number_text", "option_text", "limit_text"}
 HTML = "modules/report/core/"  # the texts of the page that a report is
 SHARED = {"base", "camera", "cloud", "geo"}  # modules whose functions all others call
@@ -99,7 +104,7 @@ class Texts:
     def add(self, source, at, texts):
         for text in texts:
             text = text.strip("\n")
-            if self.refusing and " " not in text:
+            if self.refusing and " " not in text and text not in WORDS:
                 continue  # a word alone is the name of a key, an option or a column
             if has_words(text) and not FILE.fullmatch(plain(text)) and text not in NO_WORDS:
                 self.found.setdefault(numbered(text), f"{source.path}:{source.tokens[at].line}")
@@ -203,7 +208,15 @@ class Texts:
             texts = self.assigned(source, function, at, name, depth)
             if texts is not None:
                 return texts
-        return self.member(source, name, depth) if name.endswith("_") else [PLACE]
+        return self.member(source, name, depth) if name.endswith("_") else self.constant(source, name, depth)
+
+    # `constexpr const char* needed = "...";` outside of functions.
+    def constant(self, source, name, depth):
+        tokens = source.tokens
+        for i in range(1, len(tokens) - 1):
+            if tokens[i].kind == "id" and tokens[i].text == name and tokens[i + 1].is_op("=") and not source.around(i):
+                return self.texts(source, i, tokens[i + 2 : statement_end(tokens, i)], depth - 1)
+        return [PLACE]
 
     # What any function of the module puts into a member: inserted, with words of its own.
     def member(self, source, name, depth):
@@ -349,7 +362,7 @@ def roots(source):
         if tokens[i + 1].is_op("(", "{"):
             if token.text.endswith("Conflict") and tokens[i - 1].text in {"throw", "return"}:
                 yield i, arguments_at(tokens, i)[0]  # becomes a warning
-            if token.text in REFUSALS and source.module in WITH_REFUSALS and not FOR_PROGRAMS.fullmatch(source.path):
+            if token.text in REFUSALS and not FOR_PROGRAMS.fullmatch(source.path):
                 yield from ((i, a) for a in arguments_at(tokens, i)[:3] if a)
             if not member:
                 continue

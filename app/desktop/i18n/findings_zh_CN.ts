@@ -2,6 +2,53 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN">
     <context>
+        <name>alignment</name>
+        <message>
+            <source>a distance of %1 m</source>
+            <translation>距离 %1 m</translation>
+        </message>
+        <message>
+            <source>more than 0</source>
+            <translation>大于 0</translation>
+        </message>
+        <message>
+            <source>a cloud without points</source>
+            <translation>没有点的点云</translation>
+        </message>
+        <message>
+            <source>two with points</source>
+            <translation>两个都有点</translation>
+        </message>
+        <message>
+            <source>a reach of %1 m</source>
+            <translation>搜索范围 %1 m</translation>
+        </message>
+        <message>
+            <source>%1 pairs of points</source>
+            <translation>%1 对点</translation>
+        </message>
+        <message>
+            <source>3 that are not on a line</source>
+            <translation>3 对不在一条直线上的点</translation>
+        </message>
+        <message>
+            <source>Pick more pairs</source>
+            <translation>请选取更多点对</translation>
+        </message>
+        <message>
+            <source>the points of the pairs lie on a line</source>
+            <translation>点对的点在一条直线上</translation>
+        </message>
+        <message>
+            <source>some beside it, so that the turn about it is known</source>
+            <translation>线外的一些点，以确定绕该线的旋转</translation>
+        </message>
+        <message>
+            <source>Pick a pair away from the line</source>
+            <translation>请在远离该线处选取一对点</translation>
+        </message>
+    </context>
+    <context>
         <name>base</name>
         <message>
             <source>Move the folder away</source>
@@ -122,6 +169,41 @@
         <message>
             <source>ended early: the result is not complete</source>
             <translation>提前结束：结果不完整</translation>
+        </message>
+    </context>
+    <context>
+        <name>camera</name>
+        <message>
+            <source>the camera's %1 is %2</source>
+            <translation>相机的 %1 为 %2</translation>
+        </message>
+        <message>
+            <source>the camera's image is %1 x %2 pixels</source>
+            <translation>相机的图像为 %1 x %2 像素</translation>
+        </message>
+        <message>
+            <source>at least 1 x 1</source>
+            <translation>至少 1 x 1</translation>
+        </message>
+        <message>
+            <source>pixels, 1 or more</source>
+            <translation>以像素计，1 或更大</translation>
+        </message>
+        <message>
+            <source>a pixel near the image's middle</source>
+            <translation>接近图像中心的像素</translation>
+        </message>
+        <message>
+            <source>five numbers: k1, k2, p1, p2, k3</source>
+            <translation>五个数：k1、k2、p1、p2、k3</translation>
+        </message>
+        <message>
+            <source>the camera's distortion has no inverse at the corners of the image</source>
+            <translation>相机的畸变在图像的角上不可逆</translation>
+        </message>
+        <message>
+            <source>k1, k2, p1, p2, k3 as OpenCV gives them</source>
+            <translation>OpenCV 给出的 k1、k2、p1、p2、k3</translation>
         </message>
     </context>
     <context>
@@ -439,6 +521,10 @@
             <translation>列“%1”为文本</translation>
         </message>
         <message>
+            <source>numbers</source>
+            <translation>数</translation>
+        </message>
+        <message>
             <source>column '%1' does not hold whole numbers</source>
             <translation>列“%1”不是整数</translation>
         </message>
@@ -482,16 +568,16 @@
             <translation>没有处理流程“%1”</translation>
         </message>
         <message>
-            <source>'%1' is a %2 (%3)</source>
-            <translation>“%1”是 %2（%3）</translation>
-        </message>
-        <message>
             <source>To survey it: bole survey %1 --out DIR</source>
             <translation>要调查它：bole survey %1 --out DIR</translation>
         </message>
         <message>
             <source>a pipeline document (JSON)</source>
             <translation>处理流程文档（JSON）</translation>
+        </message>
+        <message>
+            <source>'%1' is %2 (%3)</source>
+            <translation>“%1”是%2（%3）</translation>
         </message>
         <message>
             <source>'%1' is a folder without frames of a scan</source>
@@ -615,6 +701,10 @@
         <message>
             <source>%1 to %2 s</source>
             <translation>%1 至 %2 s</translation>
+        </message>
+        <message>
+            <source>empty</source>
+            <translation>空</translation>
         </message>
         <message>
             <source>%1 of %2 poses have a reference at their time (estimate %3, reference %4)</source>
@@ -791,6 +881,10 @@
         <message>
             <source>a reference trajectory is connected but no trajectory</source>
             <translation>连接了参照轨迹而没有连接轨迹</translation>
+        </message>
+        <message>
+            <source>both</source>
+            <translation>两者</translation>
         </message>
         <message>
             <source>%1 poses compared</source>
@@ -1108,6 +1202,10 @@
             <translation>经度不是数</translation>
         </message>
         <message>
+            <source>degrees</source>
+            <translation>以度计的值</translation>
+        </message>
+        <message>
             <source>3-degree zones 1 to 120 or 6-degree zones 1 to 60</source>
             <translation>3 度带的 1 至 120 带或 6 度带的 1 至 60 带</translation>
         </message>
@@ -1237,6 +1335,10 @@
         <message>
             <source>no points lie within band (%1 m) of the first ground surface</source>
             <translation>初始地面的 band（%1 m）范围内没有点</translation>
+        </message>
+        <message>
+            <source>some</source>
+            <translation>至少一些</translation>
         </message>
         <message>
             <source>Filling holes</source>
@@ -1461,8 +1563,36 @@
     <context>
         <name>io</name>
         <message>
+            <source>the content of '%1' is compressed again</source>
+            <translation>“%1”的内容被重复压缩</translation>
+        </message>
+        <message>
+            <source>a recording compressed once</source>
+            <translation>只压缩一次的记录</translation>
+        </message>
+        <message>
+            <source>Decompress it with zstd -d</source>
+            <translation>请用 zstd -d 解压</translation>
+        </message>
+        <message>
+            <source>topic %1 has no messages</source>
+            <translation>话题 %1 没有消息</translation>
+        </message>
+        <message>
+            <source>messages of %1</source>
+            <translation>%1 的消息</translation>
+        </message>
+        <message>
             <source>the recording does not say which sensor it is from: beam and range noise are not known. Name it with the option sensor</source>
             <translation>记录没有说明来自哪种传感器：光束和测距噪声未知。请用选项 sensor 指定</translation>
+        </message>
+        <message>
+            <source>no message of topic %1 holds a point within min_range and max_range</source>
+            <translation>话题 %1 没有一条消息含有 min_range 与 max_range 之间的点</translation>
+        </message>
+        <message>
+            <source>no message of topic %1 holds a point within min_range and max_range (%2)</source>
+            <translation>话题 %1 没有一条消息含有 min_range 与 max_range 之间的点（%2）</translation>
         </message>
         <message>
             <source>the points have no times: they follow from the order of the points, evenly over the time between two messages, from the stamp of the message</source>
@@ -1491,6 +1621,14 @@
         <message>
             <source>%1 of %2 messages that were looked at hold fewer points than they declare</source>
             <translation>检查的 %2 条消息中有 %1 条所含的点少于其声明</translation>
+        </message>
+        <message>
+            <source>frame %1 of '%2'</source>
+            <translation>“%2”的第 %1 帧</translation>
+        </message>
+        <message>
+            <source>0 to %1</source>
+            <translation>0 至 %1</translation>
         </message>
         <message>
             <source>%1: %2 frame of %3, %4</source>
@@ -1525,8 +1663,24 @@
             <translation>%1 个文件未列在 metadata.yaml 中，已舍去</translation>
         </message>
         <message>
+            <source>the folder '%1' holds no recording of ROS 2</source>
+            <translation>文件夹“%1”中没有 ROS 2 的记录</translation>
+        </message>
+        <message>
+            <source>.db3 or .mcap files</source>
+            <translation>.db3 或 .mcap 文件</translation>
+        </message>
+        <message>
             <source>'%1' cannot be read: %2</source>
             <translation>无法读取“%1”：%2</translation>
+        </message>
+        <message>
+            <source>no file of '%1' can be read: %2</source>
+            <translation>“%1”中没有一个文件可以读取：%2</translation>
+        </message>
+        <message>
+            <source>a recording of ROS 2</source>
+            <translation>ROS 2 的记录</translation>
         </message>
         <message>
             <source>there is no metadata.yaml: the %1 files are read as one recording, in order of time</source>
@@ -1535,6 +1689,30 @@
         <message>
             <source>%1 of %2 messages that metadata.yaml declares are missing</source>
             <translation>metadata.yaml 声明的 %2 条消息中缺少 %1 条</translation>
+        </message>
+        <message>
+            <source>the files in '%1' were recorded hours apart, and there is no metadata.yaml</source>
+            <translation>“%1”中的文件记录时间相差数小时，且没有 metadata.yaml</translation>
+        </message>
+        <message>
+            <source>a folder with the files of one recording</source>
+            <translation>只含同一次记录的文件的文件夹</translation>
+        </message>
+        <message>
+            <source>Open each file by itself</source>
+            <translation>请单独打开每个文件</translation>
+        </message>
+        <message>
+            <source>topic %1 holds no measurement that can be read (no message)</source>
+            <translation>话题 %1 没有可以读取的测量（没有消息）</translation>
+        </message>
+        <message>
+            <source>topic %1 holds no measurement that can be read (values that are no numbers)</source>
+            <translation>话题 %1 没有可以读取的测量（数值不是数）</translation>
+        </message>
+        <message>
+            <source>topic %1 holds no measurement that can be read (%2)</source>
+            <translation>话题 %1 没有可以读取的测量（%2）</translation>
         </message>
         <message>
             <source>%1 of %2 messages of %3 that were looked at cannot be used (%4): such messages are gaps</source>
@@ -1565,8 +1743,32 @@
             <translation>%1 的加速度约为 %2 m/s2，而不是 9.8：缺少重力，或单位不同</translation>
         </message>
         <message>
+            <source>the bag holds packets of an Ouster sensor, and the option sensor is '%1'</source>
+            <translation>bag 文件含有 Ouster 传感器的数据包，而选项 sensor 为“%1”</translation>
+        </message>
+        <message>
+            <source>the JSON file of the sensor, with its beams and its packet layout</source>
+            <translation>传感器的 JSON 文件，含有其光束和数据包格式</translation>
+        </message>
+        <message>
             <source>topic %1</source>
             <translation>话题 %1</translation>
+        </message>
+        <message>
+            <source>the bag has no topic 'metadata' with the beams of the Ouster sensor, and there is no JSON file of a sensor beside it</source>
+            <translation>bag 文件没有给出 Ouster 传感器光束的话题“metadata”，其旁也没有传感器的 JSON 文件</translation>
+        </message>
+        <message>
+            <source>the bag has no topic 'metadata' with the beams of the Ouster sensor, and there are %1 JSON files of a sensor beside it</source>
+            <translation>bag 文件没有给出 Ouster 传感器光束的话题“metadata”，其旁有 %1 个传感器的 JSON 文件</translation>
+        </message>
+        <message>
+            <source>one JSON file of the sensor</source>
+            <translation>一个传感器的 JSON 文件</translation>
+        </message>
+        <message>
+            <source>Name it with the option sensor</source>
+            <translation>请用选项 sensor 指定</translation>
         </message>
         <message>
             <source>%1 messages of packets cannot be read (%2)</source>
@@ -1593,6 +1795,86 @@
             <translation>记录的 %1 % 无法读取</translation>
         </message>
         <message>
+            <source>no topics</source>
+            <translation>没有话题</translation>
+        </message>
+        <message>
+            <source>the recording has no topic '%1'</source>
+            <translation>记录没有话题“%1”</translation>
+        </message>
+        <message>
+            <source>one of %1</source>
+            <translation>下列之一：%1</translation>
+        </message>
+        <message>
+            <source>Set topic=%1</source>
+            <translation>请设置 topic=%1</translation>
+        </message>
+        <message>
+            <source>Set imu=%1</source>
+            <translation>请设置 imu=%1</translation>
+        </message>
+        <message>
+            <source>topic %1 holds %2 messages of type %3</source>
+            <translation>话题 %1 含有 %2 条类型为 %3 的消息</translation>
+        </message>
+        <message>
+            <source>point clouds or packets of a scanner: %1</source>
+            <translation>点云或扫描仪的数据包：%1</translation>
+        </message>
+        <message>
+            <source>the recording has more than one scan: %1</source>
+            <translation>记录含有不止一组扫描：%1</translation>
+        </message>
+        <message>
+            <source>one of them</source>
+            <translation>其中之一</translation>
+        </message>
+        <message>
+            <source>Set topic=%1 or another one</source>
+            <translation>请设置 topic=%1 或其他话题</translation>
+        </message>
+        <message>
+            <source>the recording holds no scan: %1</source>
+            <translation>记录中没有扫描：%1</translation>
+        </message>
+        <message>
+            <source>a topic with messages of type %1</source>
+            <translation>消息类型为 %1 的话题</translation>
+        </message>
+        <message>
+            <source>topic %1 holds messages of type %2</source>
+            <translation>话题 %1 含有类型为 %2 的消息</translation>
+        </message>
+        <message>
+            <source>measurements of an inertial unit: %1</source>
+            <translation>惯性单元的测量：%1</translation>
+        </message>
+        <message>
+            <source>a compressed message of '%1' is damaged</source>
+            <translation>“%1”的一条压缩消息已损坏</translation>
+        </message>
+        <message>
+            <source>a whole zstd frame</source>
+            <translation>完整的 zstd 帧</translation>
+        </message>
+        <message>
+            <source>'%1' is no MCAP file</source>
+            <translation>“%1”不是 MCAP 文件</translation>
+        </message>
+        <message>
+            <source>an MCAP file</source>
+            <translation>MCAP 文件</translation>
+        </message>
+        <message>
+            <source>'%1' is an MCAP file of another version</source>
+            <translation>“%1”是其他版本的 MCAP 文件</translation>
+        </message>
+        <message>
+            <source>MCAP version 0</source>
+            <translation>MCAP 版本 0</translation>
+        </message>
+        <message>
             <source>the file has no usable summary (not closed, or cut off): its records were gone through</source>
             <translation>文件没有可用的摘要（未关闭或被截断）：已逐条查找其记录</translation>
         </message>
@@ -1617,6 +1899,18 @@
             <translation>话题 %1 有 %2 条消息，而文件声明有 %3 条</translation>
         </message>
         <message>
+            <source>a message of '%1' cannot be read: its chunk is damaged</source>
+            <translation>无法读取“%1”的一条消息：其数据块已损坏</translation>
+        </message>
+        <message>
+            <source>a whole chunk</source>
+            <translation>完整的数据块</translation>
+        </message>
+        <message>
+            <source>Copy the file again from where it was recorded</source>
+            <translation>请从记录处重新复制该文件</translation>
+        </message>
+        <message>
             <source>%1 messages of %2 are there twice: each is read once</source>
             <translation>%2 的 %1 条消息重复：每条只读一次</translation>
         </message>
@@ -1627,6 +1921,62 @@
         <message>
             <source>about %1 messages of %2 are missing between the %3 that were recorded: the scan has gaps in time</source>
             <translation>在记录的 %3 条消息之间，%2 约缺少 %1 条：扫描在时间上有间断</translation>
+        </message>
+        <message>
+            <source>the messages are not serialised by ROS</source>
+            <translation>消息不是由 ROS 序列化的</translation>
+        </message>
+        <message>
+            <source>ROS 1 or CDR</source>
+            <translation>ROS 1 或 CDR</translation>
+        </message>
+        <message>
+            <source>the message is serialised in another way (%1)</source>
+            <translation>消息的序列化方式不同（%1）</translation>
+        </message>
+        <message>
+            <source>plain CDR</source>
+            <translation>普通 CDR</translation>
+        </message>
+        <message>
+            <source>Record it again with the middleware's standard serialisation, or convert it with ros2 bag convert</source>
+            <translation>请用中间件的标准序列化方式重新记录，或用 ros2 bag convert 转换</translation>
+        </message>
+        <message>
+            <source>the message is cut off</source>
+            <translation>消息被截断</translation>
+        </message>
+        <message>
+            <source>a whole message</source>
+            <translation>完整的消息</translation>
+        </message>
+        <message>
+            <source>the clouds have the fields none</source>
+            <translation>点云没有字段</translation>
+        </message>
+        <message>
+            <source>the clouds have the fields %1</source>
+            <translation>点云的字段为 %1</translation>
+        </message>
+        <message>
+            <source>fields x, y and z</source>
+            <translation>字段 x、y 和 z</translation>
+        </message>
+        <message>
+            <source>'%1' is a bag of version '%2'</source>
+            <translation>“%1”是版本“%2”的 bag 文件</translation>
+        </message>
+        <message>
+            <source>'%1' is no ROS 1 bag</source>
+            <translation>“%1”不是 ROS 1 的 bag 文件</translation>
+        </message>
+        <message>
+            <source>a bag of version 2.0</source>
+            <translation>版本 2.0 的 bag 文件</translation>
+        </message>
+        <message>
+            <source>Convert it with rosbag migrate</source>
+            <translation>请用 rosbag migrate 转换</translation>
         </message>
         <message>
             <source>the bag was not closed and has no index: its records were gone through</source>
@@ -1653,16 +2003,80 @@
             <translation>一个数据块有 %2 的 %1 条消息，而 bag 文件声明有 %3 条</translation>
         </message>
         <message>
+            <source>Copy the bag again from where it was recorded</source>
+            <translation>请从记录处重新复制该 bag 文件</translation>
+        </message>
+        <message>
+            <source>the scratch file for a compressed recording cannot be written</source>
+            <translation>无法写出压缩记录的临时文件</translation>
+        </message>
+        <message>
+            <source>room on the disk</source>
+            <translation>磁盘空间</translation>
+        </message>
+        <message>
+            <source>the content of '%1' has more than %2 MB, and the disk of '%3' has %4 MB left</source>
+            <translation>“%1”的内容超过 %2 MB，而“%3”所在磁盘只剩 %4 MB</translation>
+        </message>
+        <message>
+            <source>room on the disk for the whole content, and %1 MB more</source>
+            <translation>可容纳全部内容的磁盘空间，另加 %1 MB</translation>
+        </message>
+        <message>
+            <source>there is no folder for the content of '%1'</source>
+            <translation>没有可存放“%1”内容的文件夹</translation>
+        </message>
+        <message>
             <source>decompressing %1</source>
             <translation>解压 %1</translation>
+        </message>
+        <message>
+            <source>'%1' holds nothing that can be decompressed</source>
+            <translation>“%1”中没有可以解压的内容</translation>
+        </message>
+        <message>
+            <source>a whole zstd file</source>
+            <translation>完整的 zstd 文件</translation>
         </message>
         <message>
             <source>the log '%1-wal' cannot be read: its messages are missing. Copy the recording to a folder that may be written to</source>
             <translation>无法读取日志“%1-wal”：其中的消息缺失。请将记录复制到可写的文件夹</translation>
         </message>
         <message>
+            <source>'%1' cannot be opened: %2</source>
+            <translation>无法打开“%1”：%2</translation>
+        </message>
+        <message>
+            <source>an SQLite database</source>
+            <translation>SQLite 数据库</translation>
+        </message>
+        <message>
+            <source>Copy it to a folder of your own that may be read</source>
+            <translation>请将其复制到自己可读的文件夹</translation>
+        </message>
+        <message>
+            <source>'%1' is no SQLite database</source>
+            <translation>“%1”不是 SQLite 数据库</translation>
+        </message>
+        <message>
+            <source>'%1' is no recording of ROS 2 (%2)</source>
+            <translation>“%1”不是 ROS 2 的记录（%2）</translation>
+        </message>
+        <message>
+            <source>a database with the tables topics and messages</source>
+            <translation>含有表 topics 和 messages 的数据库</translation>
+        </message>
+        <message>
             <source>the database is cut off or damaged (%1): %2 messages are read</source>
             <translation>数据库被截断或损坏（%1）：读取 %2 条消息</translation>
+        </message>
+        <message>
+            <source>a message of '%1' cannot be read: %2</source>
+            <translation>无法读取“%1”的一条消息：%2</translation>
+        </message>
+        <message>
+            <source>a whole database</source>
+            <translation>完整的数据库</translation>
         </message>
         <message>
             <source>the clock of the points differs from that of the messages by %1 s: points get the times of the messages' clock, with the start of the sweep at the stamp</source>
@@ -1693,8 +2107,52 @@
             <translation>消息的时间基准与其时间戳相差达 %1 s：点的时间自时间戳起算</translation>
         </message>
         <message>
+            <source>a file that exists and may be read</source>
+            <translation>存在且可读的文件</translation>
+        </message>
+        <message>
+            <source>'%1' is not a file</source>
+            <translation>“%1”不是文件</translation>
+        </message>
+        <message>
+            <source>'%1' cannot be mapped into memory: %2</source>
+            <translation>无法将“%1”映射到内存：%2</translation>
+        </message>
+        <message>
             <source>x %1 to %2, y %3 to %4, z %5 to %6</source>
             <translation>x %1 至 %2，y %3 至 %4，z %5 至 %6</translation>
+        </message>
+        <message>
+            <source>option bounds is '%1'</source>
+            <translation>选项 bounds 为“%1”</translation>
+        </message>
+        <message>
+            <source>xmin,ymin,xmax,ymax or xmin,ymin,zmin,xmax,ymax,zmax, in the coordinates of the file</source>
+            <translation>按文件坐标给出的 xmin,ymin,xmax,ymax 或 xmin,ymin,zmin,xmax,ymax,zmax</translation>
+        </message>
+        <message>
+            <source>option bounds is '%1': a smallest coordinate is above the largest</source>
+            <translation>选项 bounds 为“%1”：最小坐标大于最大坐标</translation>
+        </message>
+        <message>
+            <source>, z %1 to %2</source>
+            <translation>，z %1 至 %2</translation>
+        </message>
+        <message>
+            <source>x %1 to %2, y %3 to %4</source>
+            <translation>x %1 至 %2，y %3 至 %4</translation>
+        </message>
+        <message>
+            <source>no point of the file lies within the option bounds (%1)</source>
+            <translation>文件中没有点在选项 bounds 之内（%1）</translation>
+        </message>
+        <message>
+            <source>bounds that meet those of the file: %1</source>
+            <translation>与文件范围相交的范围：%1</translation>
+        </message>
+        <message>
+            <source>Give bounds in the coordinates of the file</source>
+            <translation>请按文件的坐标给出范围</translation>
         </message>
         <message>
             <source>reading points</source>
@@ -1703,6 +2161,26 @@
         <message>
             <source>the file is cut off: the header declares %1 points, %2 are present and were read</source>
             <translation>文件被截断：文件头声明 %1 个点，现有并已读取 %2 个</translation>
+        </message>
+        <message>
+            <source>the points have no x</source>
+            <translation>点没有 x</translation>
+        </message>
+        <message>
+            <source>the points have no y</source>
+            <translation>点没有 y</translation>
+        </message>
+        <message>
+            <source>the points have no z</source>
+            <translation>点没有 z</translation>
+        </message>
+        <message>
+            <source>There are no fields</source>
+            <translation>没有任何字段</translation>
+        </message>
+        <message>
+            <source>There are: %1</source>
+            <translation>现有字段：%1</translation>
         </message>
         <message>
             <source>%1 points dropped: their coordinates are not numbers</source>
@@ -1965,6 +2443,786 @@
             <translation>射线从 %1 次扫描的位置发出。如果点是从别处测得的，请设置 scan_positions=none</translation>
         </message>
         <message>
+            <source>a scan</source>
+            <translation>扫描</translation>
+        </message>
+        <message>
+            <source>a point cloud</source>
+            <translation>点云</translation>
+        </message>
+        <message>
+            <source>%1 of %2 points lie more than 100 000 km from the origin: these are no coordinates in metres</source>
+            <translation>%2 个点中有 %1 个距原点超过 100 000 km：这不是以米为单位的坐标</translation>
+        </message>
+        <message>
+            <source>Is the file damaged or of another kind? Else set the option unit, or the columns of a text file</source>
+            <translation>文件是否已损坏或属于其他类型？否则请设置选项 unit，或文本文件的列</translation>
+        </message>
+        <message>
+            <source>no point cloud is named</source>
+            <translation>没有指定点云</translation>
+        </message>
+        <message>
+            <source>Set the option file</source>
+            <translation>请设置选项 file</translation>
+        </message>
+        <message>
+            <source>a point cloud file</source>
+            <translation>点云文件</translation>
+        </message>
+        <message>
+            <source>Read it with the stage %1</source>
+            <translation>请用步骤 %1 读取</translation>
+        </message>
+        <message>
+            <source>PCD field '%1' has type %2 of %3 bytes</source>
+            <translation>PCD 字段“%1”的类型为 %3 字节的 %2</translation>
+        </message>
+        <message>
+            <source>F of 4 or 8, I or U of 1, 2, 4 or 8 bytes</source>
+            <translation>4 或 8 字节的 F，1、2、4 或 8 字节的 I 或 U</translation>
+        </message>
+        <message>
+            <source>PCD header: %1 has '%2'</source>
+            <translation>PCD 文件头：%1 为“%2”</translation>
+        </message>
+        <message>
+            <source>a whole number</source>
+            <translation>整数</translation>
+        </message>
+        <message>
+            <source>PCD header: %1 has %2 entries</source>
+            <translation>PCD 文件头：%1 有 %2 项</translation>
+        </message>
+        <message>
+            <source>%1, one per field</source>
+            <translation>%1 项，每个字段一项</translation>
+        </message>
+        <message>
+            <source>PCD header: %1 fields</source>
+            <translation>PCD 文件头：%1 个字段</translation>
+        </message>
+        <message>
+            <source>the PCD header has no line DATA after %1 lines</source>
+            <translation>PCD 文件头在 %1 行之后仍没有 DATA 行</translation>
+        </message>
+        <message>
+            <source>DATA ascii, binary or binary_compressed</source>
+            <translation>DATA ascii、binary 或 binary_compressed</translation>
+        </message>
+        <message>
+            <source>the PCD header names %1 values per point</source>
+            <translation>PCD 文件头声明每点 %1 个值</translation>
+        </message>
+        <message>
+            <source>the compressed PCD data has %1 bytes</source>
+            <translation>压缩的 PCD 数据有 %1 字节</translation>
+        </message>
+        <message>
+            <source>two sizes of 4 bytes and the data</source>
+            <translation>两个 4 字节的长度和数据</translation>
+        </message>
+        <message>
+            <source>the file is cut off: compressed PCD data of %1 bytes, %2 are there</source>
+            <translation>文件被截断：压缩的 PCD 数据有 %1 字节，实有 %2 字节</translation>
+        </message>
+        <message>
+            <source>the whole file</source>
+            <translation>完整的文件</translation>
+        </message>
+        <message>
+            <source>Compressed PCD data cannot be read in part: copy the file again</source>
+            <translation>压缩的 PCD 数据不能部分读取：请重新复制文件</translation>
+        </message>
+        <message>
+            <source>compressed PCD data of %1 bytes for %2 points</source>
+            <translation>%2 个点的压缩 PCD 数据有 %1 字节</translation>
+        </message>
+        <message>
+            <source>%1 bytes per point</source>
+            <translation>每点 %1 字节</translation>
+        </message>
+        <message>
+            <source>the compressed PCD data is damaged: %1</source>
+            <translation>压缩的 PCD 数据已损坏：%1</translation>
+        </message>
+        <message>
+            <source>LZF data</source>
+            <translation>LZF 数据</translation>
+        </message>
+        <message>
+            <source>it claims to unpack to more than it can</source>
+            <translation>声明解压后的大小不可能达到</translation>
+        </message>
+        <message>
+            <source>a run goes beyond the end</source>
+            <translation>一段数据超出末尾</translation>
+        </message>
+        <message>
+            <source>it ends within a length</source>
+            <translation>在长度字段中间结束</translation>
+        </message>
+        <message>
+            <source>it ends within a reference</source>
+            <translation>在引用中间结束</translation>
+        </message>
+        <message>
+            <source>a reference goes beyond the data</source>
+            <translation>引用超出数据</translation>
+        </message>
+        <message>
+            <source>it unpacks to too few bytes</source>
+            <translation>解压后字节太少</translation>
+        </message>
+        <message>
+            <source>the PCD header names no fields</source>
+            <translation>PCD 文件头没有指定字段</translation>
+        </message>
+        <message>
+            <source>a line FIELDS x y z</source>
+            <translation>一行 FIELDS x y z</translation>
+        </message>
+        <message>
+            <source>PCD data is '%1'</source>
+            <translation>PCD 数据为“%1”</translation>
+        </message>
+        <message>
+            <source>ascii, binary or binary_compressed</source>
+            <translation>ascii、binary 或 binary_compressed</translation>
+        </message>
+        <message>
+            <source>PLY header line %1: type '%2'</source>
+            <translation>PLY 文件头第 %1 行：类型“%2”</translation>
+        </message>
+        <message>
+            <source>char, uchar, short, ushort, int, uint, float or double</source>
+            <translation>char、uchar、short、ushort、int、uint、float 或 double</translation>
+        </message>
+        <message>
+            <source>PLY header line %1 is '%2'</source>
+            <translation>PLY 文件头第 %1 行为“%2”</translation>
+        </message>
+        <message>
+            <source>the PLY header has no line format</source>
+            <translation>PLY 文件头没有 format 行</translation>
+        </message>
+        <message>
+            <source>format ascii, binary_little_endian or binary_big_endian 1.0</source>
+            <translation>format 为 ascii、binary_little_endian 或 binary_big_endian 1.0</translation>
+        </message>
+        <message>
+            <source>element NAME COUNT</source>
+            <translation>一行 element NAME COUNT</translation>
+        </message>
+        <message>
+            <source>at most %1 properties</source>
+            <translation>至多 %1 个属性</translation>
+        </message>
+        <message>
+            <source>property list COUNT_TYPE TYPE NAME</source>
+            <translation>一行 property list COUNT_TYPE TYPE NAME</translation>
+        </message>
+        <message>
+            <source>format, element, property, comment or end_header</source>
+            <translation>format、element、property、comment 或 end_header</translation>
+        </message>
+        <message>
+            <source>the PLY header does not end after %1 lines</source>
+            <translation>PLY 文件头在 %1 行之后仍未结束</translation>
+        </message>
+        <message>
+            <source>a line end_header</source>
+            <translation>一行 end_header</translation>
+        </message>
+        <message>
+            <source>the file is cut off in the PLY element '%1', before the points</source>
+            <translation>文件在点之前的 PLY 元素“%1”中被截断</translation>
+        </message>
+        <message>
+            <source>the PLY format is '%1'</source>
+            <translation>PLY 格式为“%1”</translation>
+        </message>
+        <message>
+            <source>ascii, binary_little_endian or binary_big_endian</source>
+            <translation>ascii、binary_little_endian 或 binary_big_endian</translation>
+        </message>
+        <message>
+            <source>PTX line %1 is '%2'</source>
+            <translation>PTX 第 %1 行为“%2”</translation>
+        </message>
+        <message>
+            <source>the PTX file ends after line %1</source>
+            <translation>PTX 文件在第 %1 行之后结束</translation>
+        </message>
+        <message>
+            <source>the number of rows</source>
+            <translation>行数</translation>
+        </message>
+        <message>
+            <source>the PTX grid has %1 columns and %2 rows</source>
+            <translation>PTX 格网有 %1 列和 %2 行</translation>
+        </message>
+        <message>
+            <source>the scanner's position and axes, three numbers</source>
+            <translation>扫描仪的位置和坐标轴，各三个数</translation>
+        </message>
+        <message>
+            <source>a row of the 4 by 4 transformation</source>
+            <translation>4 x 4 变换矩阵的一行</translation>
+        </message>
+        <message>
+            <source>the number of columns of a scan</source>
+            <translation>一次扫描的列数</translation>
+        </message>
+        <message>
+            <source>x y z, with or without intensity and red green blue</source>
+            <translation>x y z，可带强度和红绿蓝</translation>
+        </message>
+        <message>
+            <source>the PTX file holds no points</source>
+            <translation>PTX 文件中没有点</translation>
+        </message>
+        <message>
+            <source>lines x y z intensity below the header of a scan</source>
+            <translation>扫描文件头之后的 x y z 强度各行</translation>
+        </message>
+        <message>
+            <source>the lines are poses of a trajectory</source>
+            <translation>各行是轨迹的位姿</translation>
+        </message>
+        <message>
+            <source>Read it with the stage io.read_trajectory, or name the columns with the option columns</source>
+            <translation>请用步骤 io.read_trajectory 读取，或用选项 columns 指定各列</translation>
+        </message>
+        <message>
+            <source>the first column counts the rows</source>
+            <translation>第一列是行号</translation>
+        </message>
+        <message>
+            <source>x, y and z</source>
+            <translation>列 x、y 和 z</translation>
+        </message>
+        <message>
+            <source>Name the columns with the option columns, for instance "_ x y z"</source>
+            <translation>请用选项 columns 指定各列，例如 "_ x y z"</translation>
+        </message>
+        <message>
+            <source>the numbers have no decimal points, and every second one has the same number of digits</source>
+            <translation>各数没有小数点，且每隔一个数的位数相同</translation>
+        </message>
+        <message>
+            <source>numbers that can be told apart: decimal commas do not go with commas between the columns</source>
+            <translation>可以区分的数：小数逗号不能与列间的逗号并用</translation>
+        </message>
+        <message>
+            <source>Write the file with points or with semicolons between the columns; if the commas do separate columns, set the option delimiter to comma</source>
+            <translation>请用小数点书写文件，或用分号分隔各列；如果逗号确实分隔各列，请将选项 delimiter 设为 comma</translation>
+        </message>
+        <message>
+            <source>line %1 has %2 columns</source>
+            <translation>第 %1 行有 %2 列</translation>
+        </message>
+        <message>
+            <source>the header line '%1' does not name x, y and z</source>
+            <translation>标题行“%1”没有指定 x、y 和 z</translation>
+        </message>
+        <message>
+            <source>a header line with x, y and z</source>
+            <translation>含有 x、y 和 z 的标题行</translation>
+        </message>
+        <message>
+            <source>the file is empty</source>
+            <translation>文件为空</translation>
+        </message>
+        <message>
+            <source>points as text</source>
+            <translation>文本形式的点</translation>
+        </message>
+        <message>
+            <source>none of the first %1 lines holds three numbers</source>
+            <translation>前 %1 行中没有一行含有三个数</translation>
+        </message>
+        <message>
+            <source>lines with x, y and z</source>
+            <translation>含有 x、y 和 z 的各行</translation>
+        </message>
+        <message>
+            <source>If the points begin further down, set the option skip_lines</source>
+            <translation>如果点从更靠后处开始，请设置选项 skip_lines</translation>
+        </message>
+        <message>
+            <source>the option columns names %1 columns, the file has %2</source>
+            <translation>选项 columns 指定了 %1 列，文件有 %2 列</translation>
+        </message>
+        <message>
+            <source>line %1 has %2 fields</source>
+            <translation>第 %1 行有 %2 个字段</translation>
+        </message>
+        <message>
+            <source>%1, as the header or the first line has</source>
+            <translation>%1 个，与标题行或第一行相同</translation>
+        </message>
+        <message>
+            <source>If its numbers have decimal commas, write them with points or separate the columns by semicolons; else name the columns with the option columns</source>
+            <translation>如果数中有小数逗号，请改用小数点，或用分号分隔各列；否则请用选项 columns 指定各列</translation>
+        </message>
+        <message>
+            <source>Name the columns with the option columns</source>
+            <translation>请用选项 columns 指定各列</translation>
+        </message>
+        <message>
+            <source>line %1 and %2 more do not hold %3 numbers, %4 lines do</source>
+            <translation>第 %1 行及另外 %2 行不含 %3 个数，有 %4 行含有</translation>
+        </message>
+        <message>
+            <source>a table of numbers</source>
+            <translation>数值表</translation>
+        </message>
+        <message>
+            <source>Set the options delimiter and columns</source>
+            <translation>请设置选项 delimiter 和 columns</translation>
+        </message>
+        <message>
+            <source>'%1' cannot be written: the disk may be full</source>
+            <translation>无法写出“%1”：磁盘可能已满</translation>
+        </message>
+        <message>
+            <source>room for all points of the cloud, uncompressed</source>
+            <translation>可容纳点云全部点（未压缩）的空间</translation>
+        </message>
+        <message>
+            <source>Free room, or set TMPDIR to a folder that has it</source>
+            <translation>请腾出空间，或将 TMPDIR 设为有空间的文件夹</translation>
+        </message>
+        <message>
+            <source>'%1' cannot be read</source>
+            <translation>无法读取“%1”</translation>
+        </message>
+        <message>
+            <source>the file that was written just now</source>
+            <translation>刚写出的文件</translation>
+        </message>
+        <message>
+            <source>Build the index again</source>
+            <translation>请重新建立索引</translation>
+        </message>
+        <message>
+            <source>no folder can be made in '%1'</source>
+            <translation>无法在“%1”中建立文件夹</translation>
+        </message>
+        <message>
+            <source>a folder to write to</source>
+            <translation>可写入的文件夹</translation>
+        </message>
+        <message>
+            <source>a cloud</source>
+            <translation>点云</translation>
+        </message>
+        <message>
+            <source>'%1' is no LAS or LAZ file</source>
+            <translation>“%1”不是 LAS 或 LAZ 文件</translation>
+        </message>
+        <message>
+            <source>a cloud that can be read in parts</source>
+            <translation>可分部分读取的点云</translation>
+        </message>
+        <message>
+            <source>Convert it: bole convert FILE cloud.laz</source>
+            <translation>请转换：bole convert FILE cloud.laz</translation>
+        </message>
+        <message>
+            <source>%1 points</source>
+            <translation>%1 个点</translation>
+        </message>
+        <message>
+            <source>at most 4294967295 for COPC</source>
+            <translation>COPC 至多 4294967295 个</translation>
+        </message>
+        <message>
+            <source>Write LAZ, or tiles</source>
+            <translation>请写出 LAZ 或分块</translation>
+        </message>
+        <message>
+            <source>'%1' is no COPC file</source>
+            <translation>“%1”不是 COPC 文件</translation>
+        </message>
+        <message>
+            <source>'%1' has a damaged record of COPC</source>
+            <translation>“%1”的 COPC 记录已损坏</translation>
+        </message>
+        <message>
+            <source>a COPC file (.copc.laz)</source>
+            <translation>COPC 文件 (.copc.laz)</translation>
+        </message>
+        <message>
+            <source>Convert the cloud: bole convert FILE cloud.copc.laz</source>
+            <translation>请转换点云：bole convert FILE cloud.copc.laz</translation>
+        </message>
+        <message>
+            <source>the octree of '%1' has no node that can be read</source>
+            <translation>“%1”的八叉树没有可以读取的节点</translation>
+        </message>
+        <message>
+            <source>a whole file</source>
+            <translation>完整的文件</translation>
+        </message>
+        <message>
+            <source>Copy or download the file again, or convert it to COPC again</source>
+            <translation>请重新复制或下载文件，或重新转换为 COPC</translation>
+        </message>
+        <message>
+            <source>none of the %1 points of node %2-%3-%4-%5 of '%6' can be read</source>
+            <translation>“%6”的节点 %2-%3-%4-%5 的 %1 个点均无法读取</translation>
+        </message>
+        <message>
+            <source>Copy or download the file again</source>
+            <translation>请重新复制或下载文件</translation>
+        </message>
+        <message>
+            <source>the description of the E57 file is not usable: it has no e57Root</source>
+            <translation>E57 文件的描述不能使用：没有 e57Root</translation>
+        </message>
+        <message>
+            <source>the description of the E57 file is not usable: %1</source>
+            <translation>E57 文件的描述不能使用：%1</translation>
+        </message>
+        <message>
+            <source>XML with the element e57Root</source>
+            <translation>含有元素 e57Root 的 XML</translation>
+        </message>
+        <message>
+            <source>The file is damaged: export it again</source>
+            <translation>文件已损坏：请重新导出</translation>
+        </message>
+        <message>
+            <source>the file does not begin with ASTM-E57</source>
+            <translation>文件不以 ASTM-E57 开头</translation>
+        </message>
+        <message>
+            <source>an E57 file</source>
+            <translation>E57 文件</translation>
+        </message>
+        <message>
+            <source>the file ends after %1 bytes, within the E57 header</source>
+            <translation>文件在 %1 字节之后结束，仍在 E57 文件头内</translation>
+        </message>
+        <message>
+            <source>%1 bytes of header</source>
+            <translation>%1 字节的文件头</translation>
+        </message>
+        <message>
+            <source>The file was cut: copy it again</source>
+            <translation>文件被截断：请重新复制</translation>
+        </message>
+        <message>
+            <source>E57 version %1.%2</source>
+            <translation>E57 版本 %1.%2</translation>
+        </message>
+        <message>
+            <source>version 1</source>
+            <translation>版本 1</translation>
+        </message>
+        <message>
+            <source>E57 pages of %1 bytes</source>
+            <translation>%1 字节的 E57 页</translation>
+        </message>
+        <message>
+            <source>The header is damaged: copy it again</source>
+            <translation>文件头已损坏：请重新复制</translation>
+        </message>
+        <message>
+            <source>the description of the file would lie at byte %1 of %2</source>
+            <translation>文件的描述应在 %2 字节中的第 %1 字节处</translation>
+        </message>
+        <message>
+            <source>a whole file: its description (XML) lies behind the points</source>
+            <translation>完整的文件：其描述（XML）位于点之后</translation>
+        </message>
+        <message>
+            <source>the description of the E57 file (XML) has %1 of %2 bytes</source>
+            <translation>E57 文件的描述（XML）有 %2 字节，现有 %1 字节</translation>
+        </message>
+        <message>
+            <source>the checksum of the description of the E57 file (XML) is wrong: it cannot be relied on</source>
+            <translation>E57 文件的描述（XML）校验和错误：不可信</translation>
+        </message>
+        <message>
+            <source>an undamaged file</source>
+            <translation>未损坏的文件</translation>
+        </message>
+        <message>
+            <source>Copy or export the file again</source>
+            <translation>请重新复制或导出文件</translation>
+        </message>
+        <message>
+            <source>none of the %1 points of the E57 file can be read</source>
+            <translation>E57 文件的 %1 个点均无法读取</translation>
+        </message>
+        <message>
+            <source>none of the %1 points of the E57 file can be read: %2</source>
+            <translation>E57 文件的 %1 个点均无法读取：%2</translation>
+        </message>
+        <message>
+            <source>a table</source>
+            <translation>表</translation>
+        </message>
+        <message>
+            <source>a track</source>
+            <translation>GNSS 轨迹</translation>
+        </message>
+        <message>
+            <source>a trajectory</source>
+            <translation>轨迹</translation>
+        </message>
+        <message>
+            <source>a folder of views</source>
+            <translation>视图文件夹</translation>
+        </message>
+        <message>
+            <source>a compressed archive</source>
+            <translation>压缩包</translation>
+        </message>
+        <message>
+            <source>Unpack it first</source>
+            <translation>请先解压</translation>
+        </message>
+        <message>
+            <source>an HDF5 file</source>
+            <translation>HDF5 文件</translation>
+        </message>
+        <message>
+            <source>Export it as LAS or PLY</source>
+            <translation>请导出为 LAS 或 PLY</translation>
+        </message>
+        <message>
+            <source>this is %1</source>
+            <translation>这是%1</translation>
+        </message>
+        <message>
+            <source>this is no KITTI frame (%1 bytes): a .bin file holds nothing but points of four 32-bit numbers, within 2 km of the sensor</source>
+            <translation>这不是 KITTI 帧（%1 字节）：.bin 文件只含有由四个 32 位数组成的点，距传感器 2 km 以内</translation>
+        </message>
+        <message>
+            <source>the format of this file is not known (%1 bytes, ending '%2')</source>
+            <translation>此文件的格式未知（%1 字节，扩展名“%2”）</translation>
+        </message>
+        <message>
+            <source>the folder '%1' holds no frames</source>
+            <translation>文件夹“%1”中没有帧</translation>
+        </message>
+        <message>
+            <source>there is no file or folder '%1'</source>
+            <translation>没有文件或文件夹“%1”</translation>
+        </message>
+        <message>
+            <source>a scan or a point cloud</source>
+            <translation>扫描或点云</translation>
+        </message>
+        <message>
+            <source>this is %1: %2</source>
+            <translation>这是%1：%2</translation>
+        </message>
+        <message>
+            <source>'%1' is a %2</source>
+            <translation>“%1”是 %2</translation>
+        </message>
+        <message>
+            <source>there is no format '%1' of %2</source>
+            <translation>没有用于%2的格式“%1”</translation>
+        </message>
+        <message>
+            <source>%1 cannot be written as '%2'</source>
+            <translation>%1不能写成“%2”</translation>
+        </message>
+        <message>
+            <source>'%1': %2 failed: %3</source>
+            <translation>“%1”：%2失败：%3</translation>
+        </message>
+        <message>
+            <source>placing the raster</source>
+            <translation>放置栅格</translation>
+        </message>
+        <message>
+            <source>the raster's coordinate reference system is not WKT that PROJ knows</source>
+            <translation>栅格的坐标参考系不是 PROJ 认识的 WKT</translation>
+        </message>
+        <message>
+            <source>WKT 1 or 2</source>
+            <translation>WKT 1 或 2</translation>
+        </message>
+        <message>
+            <source>setting the coordinate reference system</source>
+            <translation>设置坐标参考系</translation>
+        </message>
+        <message>
+            <source>writing a row</source>
+            <translation>写出一行</translation>
+        </message>
+        <message>
+            <source>a raster of %1 x %2 cells with %3 values</source>
+            <translation>%1 x %2 个单元的栅格有 %3 个值</translation>
+        </message>
+        <message>
+            <source>one value per cell and at least one cell</source>
+            <translation>每个单元一个值，且至少一个单元</translation>
+        </message>
+        <message>
+            <source>creating the file</source>
+            <translation>建立文件</translation>
+        </message>
+        <message>
+            <source>writing the file</source>
+            <translation>写出文件</translation>
+        </message>
+        <message>
+            <source>a GeoTIFF with a band</source>
+            <translation>含有一个波段的 GeoTIFF</translation>
+        </message>
+        <message>
+            <source>'%1' has no georeference</source>
+            <translation>“%1”没有地理参考</translation>
+        </message>
+        <message>
+            <source>a georeferenced GeoTIFF</source>
+            <translation>带地理参考的 GeoTIFF</translation>
+        </message>
+        <message>
+            <source>'%1' has cells of %2 x %3 m or is rotated</source>
+            <translation>“%1”的单元为 %2 x %3 m，或有旋转</translation>
+        </message>
+        <message>
+            <source>square cells, north up</source>
+            <translation>正方形的单元，北方朝上</translation>
+        </message>
+        <message>
+            <source>no cell of '%1' lies within the bounds</source>
+            <translation>“%1”没有单元在该范围内</translation>
+        </message>
+        <message>
+            <source>bounds that meet it</source>
+            <translation>与其相交的范围</translation>
+        </message>
+        <message>
+            <source>'%1' has %2 x %3 cells</source>
+            <translation>“%1”有 %2 x %3 个单元</translation>
+        </message>
+        <message>
+            <source>at most %1 million cells</source>
+            <translation>至多 %1 百万个单元</translation>
+        </message>
+        <message>
+            <source>Cut it to the plot, or thin it</source>
+            <translation>请裁剪到样地，或抽稀</translation>
+        </message>
+        <message>
+            <source>'%1': row %2 cannot be read: %3</source>
+            <translation>“%1”：无法读取第 %2 行：%3</translation>
+        </message>
+        <message>
+            <source>this GDAL has no driver %1</source>
+            <translation>此 GDAL 没有驱动程序 %1</translation>
+        </message>
+        <message>
+            <source>a GDAL with it</source>
+            <translation>含有它的 GDAL</translation>
+        </message>
+        <message>
+            <source>no reason given</source>
+            <translation>没有给出原因</translation>
+        </message>
+        <message>
+            <source>layer '%1': %2 failed: %3</source>
+            <translation>图层“%1”：%2失败：%3</translation>
+        </message>
+        <message>
+            <source>layer '%1' has %2 shapes and %3 rows of attributes</source>
+            <translation>图层“%1”有 %2 个图形和 %3 行属性</translation>
+        </message>
+        <message>
+            <source>as many of both</source>
+            <translation>两者数目相同</translation>
+        </message>
+        <message>
+            <source>shape %1 of layer '%2' has %3 vertices</source>
+            <translation>图层“%2”的图形 %1 有 %3 个顶点</translation>
+        </message>
+        <message>
+            <source>shape %1 of layer '%2' has a coordinate that is not finite</source>
+            <translation>图层“%2”的图形 %1 有一个坐标不是有限数</translation>
+        </message>
+        <message>
+            <source>finite coordinates</source>
+            <translation>有限的坐标</translation>
+        </message>
+        <message>
+            <source>defining a field</source>
+            <translation>定义字段</translation>
+        </message>
+        <message>
+            <source>the coordinate reference system of layer '%1' is not WKT that PROJ knows</source>
+            <translation>图层“%1”的坐标参考系不是 PROJ 认识的 WKT</translation>
+        </message>
+        <message>
+            <source>creating it</source>
+            <translation>建立图层</translation>
+        </message>
+        <message>
+            <source>committing its rows</source>
+            <translation>提交各行</translation>
+        </message>
+        <message>
+            <source>'%1' cannot be written: %2</source>
+            <translation>无法写出“%1”：%2</translation>
+        </message>
+        <message>
+            <source>a folder that exists and may be written to</source>
+            <translation>存在且可写的文件夹</translation>
+        </message>
+        <message>
+            <source>'%1' could not be written to its end: %2</source>
+            <translation>“%1”未能写完：%2</translation>
+        </message>
+        <message>
+            <source>the place of layer '%1' on the earth is not known, and GeoJSON holds longitude and latitude</source>
+            <translation>图层“%1”在地球上的位置未知，而 GeoJSON 存放经度和纬度</translation>
+        </message>
+        <message>
+            <source>a coordinate reference system</source>
+            <translation>坐标参考系</translation>
+        </message>
+        <message>
+            <source>finding the transformation to longitude and latitude</source>
+            <translation>求到经度和纬度的变换</translation>
+        </message>
+        <message>
+            <source>transforming a coordinate to longitude and latitude</source>
+            <translation>将坐标变换为经度和纬度</translation>
+        </message>
+        <message>
+            <source>the coordinate system %1 is not available: %2</source>
+            <translation>坐标系 %1 不可用：%2</translation>
+        </message>
+        <message>
+            <source>the database of PROJ</source>
+            <translation>PROJ 的数据库</translation>
+        </message>
+        <message>
+            <source>option crs is '%1'</source>
+            <translation>选项 crs 为“%1”</translation>
+        </message>
+        <message>
+            <source>a projected coordinate system, for instance EPSG:25832</source>
+            <translation>投影坐标系，例如 EPSG:25832</translation>
+        </message>
+        <message>
+            <source>the path cannot be projected to '%1': %2</source>
+            <translation>无法将路径投影到“%1”：%2</translation>
+        </message>
+        <message>
+            <source>a coordinate system of the place where it was walked</source>
+            <translation>行走所在地的坐标系</translation>
+        </message>
+        <message>
             <source>the coordinates are longitude and latitude, not metres: project the cloud first</source>
             <translation>坐标是经度和纬度，不是米：请先投影点云</translation>
         </message>
@@ -1999,6 +3257,78 @@
         <message>
             <source>the coordinate reference system has no EPSG code that LAS 1.2 could hold; it was not written</source>
             <translation>坐标参考系没有 LAS 1.2 能保存的 EPSG 代码；未写出</translation>
+        </message>
+        <message>
+            <source>the file does not begin with LASF</source>
+            <translation>文件不以 LASF 开头</translation>
+        </message>
+        <message>
+            <source>a LAS or LAZ file</source>
+            <translation>LAS 或 LAZ 文件</translation>
+        </message>
+        <message>
+            <source>the file ends after %1 bytes, within the LAS header</source>
+            <translation>文件在 %1 字节之后结束，仍在 LAS 文件头内</translation>
+        </message>
+        <message>
+            <source>LAS version %1.%2</source>
+            <translation>LAS 版本 %1.%2</translation>
+        </message>
+        <message>
+            <source>1.0 to 1.4</source>
+            <translation>1.0 至 1.4</translation>
+        </message>
+        <message>
+            <source>the header of LAS 1.%1 has %2 bytes (file: %3 bytes)</source>
+            <translation>LAS 1.%1 的文件头有 %2 字节（文件：%3 字节）</translation>
+        </message>
+        <message>
+            <source>at least %1 and no more than the file</source>
+            <translation>至少 %1 字节，且不超过文件</translation>
+        </message>
+        <message>
+            <source>the points begin at byte %1</source>
+            <translation>点从第 %1 字节开始</translation>
+        </message>
+        <message>
+            <source>a place between the header (%1 bytes) and the end of the file (%2 bytes)</source>
+            <translation>文件头（%1 字节）与文件末尾（%2 字节）之间的位置</translation>
+        </message>
+        <message>
+            <source>point format %1</source>
+            <translation>点格式 %1</translation>
+        </message>
+        <message>
+            <source>0 to 10</source>
+            <translation>0 至 10</translation>
+        </message>
+        <message>
+            <source>point records of %1 bytes</source>
+            <translation>%1 字节的点记录</translation>
+        </message>
+        <message>
+            <source>at least %1 for point format %2</source>
+            <translation>点格式 %2 至少 %1 字节</translation>
+        </message>
+        <message>
+            <source>coordinate scale %1 %2 %3 and offset %4 %5 %6</source>
+            <translation>坐标比例 %1 %2 %3 和偏移 %4 %5 %6</translation>
+        </message>
+        <message>
+            <source>finite numbers, scales other than zero</source>
+            <translation>有限数，比例不为零</translation>
+        </message>
+        <message>
+            <source>coordinate scale %1 %2 %3</source>
+            <translation>坐标比例 %1 %2 %3</translation>
+        </message>
+        <message>
+            <source>scales from %1 to %2</source>
+            <translation>%1 至 %2 的比例</translation>
+        </message>
+        <message>
+            <source>The header is damaged: copy the file again</source>
+            <translation>文件头已损坏：请重新复制文件</translation>
         </message>
         <message>
             <source>the coordinate scale %1 %2 %3 is negative: check that the cloud is not mirrored</source>
@@ -2037,8 +3367,48 @@
             <translation>文件八叉树的 %1 页无法读取：其下有多少点无从得知。请不带 bounds 和 resolution 读取文件</translation>
         </message>
         <message>
+            <source>the bounds in the header of the file do not fit its points, so it cannot be read in pieces</source>
+            <translation>文件头中的范围与点不符，因此不能分段读取</translation>
+        </message>
+        <message>
+            <source>a header with right bounds</source>
+            <translation>范围正确的文件头</translation>
+        </message>
+        <message>
+            <source>Leave the options unit and up at auto, or read it in one process</source>
+            <translation>请将选项 unit 和 up 保持为 auto，或在单个进程中读取</translation>
+        </message>
+        <message>
+            <source>no point was found: %1 entries or pages of the octree of the file are damaged</source>
+            <translation>没有找到点：文件八叉树有 %1 个条目或页已损坏</translation>
+        </message>
+        <message>
+            <source>a whole octree</source>
+            <translation>完整的八叉树</translation>
+        </message>
+        <message>
+            <source>Read the file without bounds and resolution, or convert it to COPC again</source>
+            <translation>请不带范围和分辨率读取文件，或重新转换为 COPC</translation>
+        </message>
+        <message>
+            <source>the levels of the file that have a resolution of %1 hold no point within the option bounds</source>
+            <translation>文件中分辨率为 %1 的层级没有点在选项 bounds 之内</translation>
+        </message>
+        <message>
+            <source>points within the bounds</source>
+            <translation>范围内的点</translation>
+        </message>
+        <message>
+            <source>Set a smaller resolution, or 0 for all points</source>
+            <translation>请设置更小的分辨率，或用 0 读取全部点</translation>
+        </message>
+        <message>
             <source>the header counts %1 points, the file has room for %2: those behind were not read</source>
             <translation>文件头计有 %1 个点，文件只容得下 %2 个：其后的点未读取</translation>
+        </message>
+        <message>
+            <source>none of the %1 points that the header counts can be read</source>
+            <translation>文件头所计的 %1 个点均无法读取</translation>
         </message>
         <message>
             <source>%1 of %2 points read: the file ends early or is damaged there</source>
@@ -2057,8 +3427,116 @@
             <translation>%2 个点中有 %1 个标为保留不用（withheld）；与其他点一样读取</translation>
         </message>
         <message>
+            <source>point %1 has the coordinate %2 on axis %3</source>
+            <translation>点 %1 在轴 %3 上的坐标为 %2</translation>
+        </message>
+        <message>
+            <source>finite coordinates within %1 m of %2</source>
+            <translation>距 %2 在 %1 m 以内的有限坐标</translation>
+        </message>
+        <message>
+            <source>Remove the point, or write with a coarser scale</source>
+            <translation>请去掉该点，或以更粗的比例写出</translation>
+        </message>
+        <message>
             <source>the times are not GPS time, which is what a LAS field holds: they were not written</source>
             <translation>时间不是 GPS 时间，而 LAS 字段存放的是 GPS 时间：未写出</translation>
+        </message>
+        <message>
+            <source>LAS version '%1'</source>
+            <translation>LAS 版本“%1”</translation>
+        </message>
+        <message>
+            <source>1.2 or 1.4</source>
+            <translation>1.2 或 1.4</translation>
+        </message>
+        <message>
+            <source>LAS 1.2 as COPC</source>
+            <translation>以 LAS 1.2 写出 COPC</translation>
+        </message>
+        <message>
+            <source>LAS 1.4</source>
+            <translation>版本 LAS 1.4</translation>
+        </message>
+        <message>
+            <source>at most 4294967295 for LAS 1.2</source>
+            <translation>LAS 1.2 至多 4294967295 个</translation>
+        </message>
+        <message>
+            <source>Write LAS 1.4</source>
+            <translation>请写出 LAS 1.4</translation>
+        </message>
+        <message>
+            <source>the LAZ record lists an item of type %1, %2 bytes, version %3</source>
+            <translation>LAZ 记录列有类型 %1、%2 字节、版本 %3 的项</translation>
+        </message>
+        <message>
+            <source>items as LASzip 1 to 3 writes them</source>
+            <translation>LASzip 1 至 3 写出的项</translation>
+        </message>
+        <message>
+            <source>points of format %1</source>
+            <translation>格式 %1 的点</translation>
+        </message>
+        <message>
+            <source>0 to 3 or 6 to 8 to be compressed</source>
+            <translation>0 至 3 或 6 至 8 才能压缩</translation>
+        </message>
+        <message>
+            <source>records of %1 bytes</source>
+            <translation>%1 字节的记录</translation>
+        </message>
+        <message>
+            <source>a chunk of %1 points in %2 bytes</source>
+            <translation>%2 字节中含 %1 个点的数据块</translation>
+        </message>
+        <message>
+            <source>less than 2^31 of both</source>
+            <translation>两者均小于 2^31</translation>
+        </message>
+        <message>
+            <source>a LAZ record of %1 bytes</source>
+            <translation>%1 字节的 LAZ 记录</translation>
+        </message>
+        <message>
+            <source>the LAZ record (laszip encoded, 22204)</source>
+            <translation>LAZ 记录（laszip encoded, 22204）</translation>
+        </message>
+        <message>
+            <source>LAZ compressor %1 with coder %2</source>
+            <translation>LAZ 压缩器 %1，编码器 %2</translation>
+        </message>
+        <message>
+            <source>compressor 1, 2 or 3 with coder 0</source>
+            <translation>压缩器 1、2 或 3，编码器 0</translation>
+        </message>
+        <message>
+            <source>a LAZ record of %1 bytes that lists %2 items</source>
+            <translation>%1 字节的 LAZ 记录列有 %2 项</translation>
+        </message>
+        <message>
+            <source>the LAZ record lists items of %1 bytes, point records have %2</source>
+            <translation>LAZ 记录所列各项共 %1 字节，而点记录有 %2 字节</translation>
+        </message>
+        <message>
+            <source>the same number</source>
+            <translation>相同的数目</translation>
+        </message>
+        <message>
+            <source>a layered LAZ file whose records do not begin with a point</source>
+            <translation>分层的 LAZ 文件，其记录不以点开头</translation>
+        </message>
+        <message>
+            <source>item POINT14 first</source>
+            <translation>以 POINT14 为第一项</translation>
+        </message>
+        <message>
+            <source>a LAZ item of type %1, version %2</source>
+            <translation>类型 %1、版本 %2 的 LAZ 项</translation>
+        </message>
+        <message>
+            <source>points, times, colours and extra bytes in layers of version 3 or point by point in version 2</source>
+            <translation>版本 3 的分层或版本 2 的逐点的点、时间、颜色和附加字节</translation>
         </message>
         <message>
             <source>the file has no usable chunk table; its chunks are read in order</source>
@@ -2069,8 +3547,80 @@
             <translation>读取压缩的点</translation>
         </message>
         <message>
+            <source>the points are compressed, but the file has no LAZ record</source>
+            <translation>点已压缩，但文件没有 LAZ 记录</translation>
+        </message>
+        <message>
+            <source>the record 'laszip encoded' 22204</source>
+            <translation>记录“laszip encoded”22204</translation>
+        </message>
+        <message>
             <source>compressing points</source>
             <translation>压缩点</translation>
+        </message>
+        <message>
+            <source>'%1' has no row</source>
+            <translation>“%1”没有数据行</translation>
+        </message>
+        <message>
+            <source>a file plot.csv of a survey</source>
+            <translation>调查的文件 plot.csv</translation>
+        </message>
+        <message>
+            <source>'%1' has the shape '%2'</source>
+            <translation>“%1”的形状为“%2”</translation>
+        </message>
+        <message>
+            <source>rectangle, circle, polygon or none</source>
+            <translation>rectangle、circle、polygon 或 none</translation>
+        </message>
+        <message>
+            <source>%1 names for %2 folders</source>
+            <translation>%2 个文件夹有 %1 个名称</translation>
+        </message>
+        <message>
+            <source>%1 systems for %2 folders</source>
+            <translation>%2 个文件夹有 %1 个系统</translation>
+        </message>
+        <message>
+            <source>%1 plots for %2 folders</source>
+            <translation>%2 个文件夹有 %1 个样地</translation>
+        </message>
+        <message>
+            <source>one for each folder, in their order</source>
+            <translation>每个文件夹一个，按其顺序</translation>
+        </message>
+        <message>
+            <source>'%1' is no folder</source>
+            <translation>“%1”不是文件夹</translation>
+        </message>
+        <message>
+            <source>the output folder of a run (bole run ... --out FOLDER)</source>
+            <translation>运行的输出文件夹（bole run ... --out FOLDER）</translation>
+        </message>
+        <message>
+            <source>the folder '%1' is named twice</source>
+            <translation>文件夹“%1”指定了两次</translation>
+        </message>
+        <message>
+            <source>different runs</source>
+            <translation>不同的运行</translation>
+        </message>
+        <message>
+            <source>A run compared with itself has no differences, and pooled twice counts its trees twice</source>
+            <translation>运行与自身比较没有差异，合并两次则其树木重复计入</translation>
+        </message>
+        <message>
+            <source>no folder is named</source>
+            <translation>没有指定文件夹</translation>
+        </message>
+        <message>
+            <source>the output folders of two or more runs</source>
+            <translation>两次或更多次运行的输出文件夹</translation>
+        </message>
+        <message>
+            <source>--set runs.folders=A,B</source>
+            <translation>请用 --set runs.folders=A,B</translation>
         </message>
         <message>
             <source>read %1</source>
@@ -2079,6 +3629,22 @@
         <message>
             <source>%1 runs with %2 stems</source>
             <translation>%1 次运行，共 %2 株单木</translation>
+        </message>
+        <message>
+            <source>summary.json of a run</source>
+            <translation>运行的 summary.json</translation>
+        </message>
+        <message>
+            <source>'%1' holds no survey: there is no stems.csv in it</source>
+            <translation>“%1”中没有调查：其中没有 stems.csv</translation>
+        </message>
+        <message>
+            <source>the output folder of a run that made a stem table</source>
+            <translation>生成了单木表的运行的输出文件夹</translation>
+        </message>
+        <message>
+            <source>FAILED_RUN.txt says why the run failed</source>
+            <translation>FAILED_RUN.txt 说明运行失败的原因</translation>
         </message>
         <message>
             <source>its stems.csv has no row</source>
@@ -2129,6 +3695,46 @@
             <translation>不绘制其回环</translation>
         </message>
         <message>
+            <source>Ouster capture</source>
+            <translation>Ouster 抓包文件</translation>
+        </message>
+        <message>
+            <source>Hesai capture</source>
+            <translation>Hesai 抓包文件</translation>
+        </message>
+        <message>
+            <source>Velodyne capture</source>
+            <translation>Velodyne 抓包文件</translation>
+        </message>
+        <message>
+            <source>ROS 1 bag</source>
+            <translation>ROS 1 bag 文件</translation>
+        </message>
+        <message>
+            <source>ROS 2 bag</source>
+            <translation>ROS 2 bag 文件</translation>
+        </message>
+        <message>
+            <source>folder of a ROS 2 bag</source>
+            <translation>ROS 2 bag 文件夹</translation>
+        </message>
+        <message>
+            <source>folder of frames</source>
+            <translation>帧文件夹</translation>
+        </message>
+        <message>
+            <source>KITTI frame</source>
+            <translation>KITTI 帧</translation>
+        </message>
+        <message>
+            <source>several calibrations of a %1 lie beside the capture: '%2', '%3'</source>
+            <translation>抓包文件旁有多个 %1 的标定文件：“%2”、“%3”</translation>
+        </message>
+        <message>
+            <source>Give it the name of the capture, or name it with the option sensor</source>
+            <translation>请使其与抓包文件同名，或用选项 sensor 指定</translation>
+        </message>
+        <message>
             <source>%1 IP fragment</source>
             <translation>%1 个 IP 分片</translation>
         </message>
@@ -2157,6 +3763,34 @@
             <translation>抓包文件在%1之后被截断或损坏（%2）：读取其前的帧（文件的 %3 %）</translation>
         </message>
         <message>
+            <source>'%1' has %2 bytes</source>
+            <translation>“%1”有 %2 字节</translation>
+        </message>
+        <message>
+            <source>%1, %2 per point of the frame</source>
+            <translation>%1，帧的每点 %2 字节</translation>
+        </message>
+        <message>
+            <source>%1 bytes, which is no whole number of points</source>
+            <translation>%1 字节，不是整数个点</translation>
+        </message>
+        <message>
+            <source>16 bytes per point: x, y, z, intensity as float32</source>
+            <translation>每点 16 字节：float32 的 x、y、z 和强度</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 is '%3'</source>
+            <translation>“%1”第 %2 行为“%3”</translation>
+        </message>
+        <message>
+            <source>a time in seconds, or a date and time</source>
+            <translation>以秒计的时间，或日期和时间</translation>
+        </message>
+        <message>
+            <source>files .bin (KITTI) or .pcd, one per frame</source>
+            <translation>.bin（KITTI）或 .pcd 文件，每帧一个</translation>
+        </message>
+        <message>
             <source>%1 files were skipped: frames are read from *%2 only</source>
             <translation>跳过了 %1 个文件：只从 *%2 读取帧</translation>
         </message>
@@ -2167,6 +3801,14 @@
         <message>
             <source>'%1' is not used: it has %2 times for %3 frames, or they do not increase</source>
             <translation>未采用“%1”：它有 %2 个时间而帧有 %3 个，或时间不是递增的</translation>
+        </message>
+        <message>
+            <source>'%1' cannot be used</source>
+            <translation>“%1”不能使用</translation>
+        </message>
+        <message>
+            <source>{"sensor": "os1_64"}, or a description of the sensor as in resources/sensors</source>
+            <translation>{"sensor": "os1_64"}，或 resources/sensors 中那样的传感器描述</translation>
         </message>
         <message>
             <source>the frames have no rings: %1 evenly spaced ones are assumed. Name the sensor with the option sensor</source>
@@ -2189,12 +3831,156 @@
             <translation>%1：%2 帧，%3 线</translation>
         </message>
         <message>
+            <source>min_range is %1 m and max_range %2 m</source>
+            <translation>min_range 为 %1 m，max_range 为 %2 m</translation>
+        </message>
+        <message>
+            <source>min_range below max_range</source>
+            <translation>min_range 小于 max_range</translation>
+        </message>
+        <message>
+            <source>no scan is named</source>
+            <translation>没有指定扫描</translation>
+        </message>
+        <message>
+            <source>'%1' is a single frame</source>
+            <translation>“%1”是单独的一帧</translation>
+        </message>
+        <message>
+            <source>the folder that holds the frames</source>
+            <translation>存放各帧的文件夹</translation>
+        </message>
+        <message>
+            <source>Give the folder as the scan, or read the file as a cloud</source>
+            <translation>请将该文件夹作为扫描，或将文件作为点云读取</translation>
+        </message>
+        <message>
+            <source>the option topic is set, and '%1' (%2) has no topics</source>
+            <translation>设置了选项 topic，而“%1”（%2）没有话题</translation>
+        </message>
+        <message>
+            <source>a ROS bag</source>
+            <translation>ROS bag 文件</translation>
+        </message>
+        <message>
+            <source>Leave topic empty</source>
+            <translation>请将 topic 留空</translation>
+        </message>
+        <message>
+            <source>several correction files lie beside '%1'</source>
+            <translation>“%1”旁有多个校正文件</translation>
+        </message>
+        <message>
             <source>the angles are those of the manual of the %1: put the correction file (CSV) of the unit beside the capture</source>
             <translation>角度取自 %1 的手册：请将该设备的校正文件（CSV）放在抓包文件旁</translation>
         </message>
         <message>
+            <source>'%1' has no data packet of a Hesai sensor that is known</source>
+            <translation>“%1”没有已知 Hesai 传感器的数据包</translation>
+        </message>
+        <message>
+            <source>packets of a PandarXT-32 or Pandar40P</source>
+            <translation>PandarXT-32 或 Pandar40P 的数据包</translation>
+        </message>
+        <message>
+            <source>three columns of angular rate</source>
+            <translation>三列角速度</translation>
+        </message>
+        <message>
+            <source>, three columns of angular rate</source>
+            <translation>，三列角速度</translation>
+        </message>
+        <message>
+            <source>three columns of specific force</source>
+            <translation>三列比力</translation>
+        </message>
+        <message>
+            <source>, three columns of specific force</source>
+            <translation>，三列比力</translation>
+        </message>
+        <message>
+            <source>a column of times</source>
+            <translation>时间列</translation>
+        </message>
+        <message>
+            <source>a column of times%1</source>
+            <translation>时间列%1</translation>
+        </message>
+        <message>
+            <source>%1 has the columns %2 and lacks %3</source>
+            <translation>%1 有列 %2，缺少%3</translation>
+        </message>
+        <message>
+            <source>time_s, gyro_x_rad_s, gyro_y_rad_s, gyro_z_rad_s, accel_x_m_s2, accel_y_m_s2, accel_z_m_s2</source>
+            <translation>列 time_s, gyro_x_rad_s, gyro_y_rad_s, gyro_z_rad_s, accel_x_m_s2, accel_y_m_s2, accel_z_m_s2</translation>
+        </message>
+        <message>
+            <source>Name the columns like this in the first line</source>
+            <translation>请在第一行中如此命名各列</translation>
+        </message>
+        <message>
+            <source>%1 gives %2 as '%3'</source>
+            <translation>%1 给出的 %2 为“%3”</translation>
+        </message>
+        <message>
+            <source>%1 numbers</source>
+            <translation>%1 个数</translation>
+        </message>
+        <message>
+            <source>%1: the quaternion of T_sensor_imu has the length %2</source>
+            <translation>%1：T_sensor_imu 的四元数长度为 %2</translation>
+        </message>
+        <message>
+            <source>x y z qx qy qz qw with a quaternion of length 1</source>
+            <translation>x y z qx qy qz qw，其四元数长度为 1</translation>
+        </message>
+        <message>
+            <source>%1: the specific force is %2 m/s2 in the middle</source>
+            <translation>%1：比力的中间值为 %2 m/s2</translation>
+        </message>
+        <message>
+            <source>about 9.81 m/s2, the gravity that an accelerometer measures at rest</source>
+            <translation>约 9.81 m/s2，即加速度计静止时测得的重力</translation>
+        </message>
+        <message>
+            <source>Name the unit behind the columns: accel_x_m_s2, accel_x_g or accel_x_mg</source>
+            <translation>请在列名后写明单位：accel_x_m_s2、accel_x_g 或 accel_x_mg</translation>
+        </message>
+        <message>
+            <source>The values look like multiples of g: name the columns accel_x_g ..</source>
+            <translation>数值看来是 g 的倍数：请将各列命名为 accel_x_g ..</translation>
+        </message>
+        <message>
+            <source>The values look like thousandths of g: name the columns accel_x_mg ..</source>
+            <translation>数值看来以千分之一 g 计：请将各列命名为 accel_x_mg ..</translation>
+        </message>
+        <message>
+            <source>Gravity seems to be removed; raw measurements are needed</source>
+            <translation>看来已去除重力；需要原始测量</translation>
+        </message>
+        <message>
+            <source>%1: an angular rate of %2 rad/s</source>
+            <translation>%1：角速度为 %2 rad/s</translation>
+        </message>
+        <message>
+            <source>at most 35 rad/s (2000 deg/s)</source>
+            <translation>至多 35 rad/s (2000 deg/s)</translation>
+        </message>
+        <message>
+            <source>If they are degrees per second, name the columns gyro_x_deg_s ..</source>
+            <translation>如果以度每秒计，请将各列命名为 gyro_x_deg_s ..</translation>
+        </message>
+        <message>
             <source>the inertial unit %1 has %2 gaps of more than %3 s, the longest %4 s</source>
             <translation>惯性单元 %1 有 %2 处超过 %3 s 的间断，最长 %4 s</translation>
+        </message>
+        <message>
+            <source>it measures from %1 to %2 s, and the scan goes from %3 to %4 s</source>
+            <translation>其测量从 %1 至 %2 s，而扫描从 %3 至 %4 s</translation>
+        </message>
+        <message>
+            <source>%1 holds %2 usable measurements</source>
+            <translation>%1 含有 %2 个可用的测量</translation>
         </message>
         <message>
             <source>%1: %2 measurements are no numbers and were left out</source>
@@ -2203,6 +3989,74 @@
         <message>
             <source>%1: %2 measurements go back in time and were left out</source>
             <translation>%1：%2 个测量值的时间倒退，已舍去</translation>
+        </message>
+        <message>
+            <source>%1 beside the scan is not of the same time: %2</source>
+            <translation>扫描旁的 %1 不属于同一时间：%2</translation>
+        </message>
+        <message>
+            <source>there is no file '%1' with an inertial unit</source>
+            <translation>没有惯性单元的文件“%1”</translation>
+        </message>
+        <message>
+            <source>a CSV file, or a topic of a ROS bag</source>
+            <translation>CSV 文件，或 ROS bag 文件的话题</translation>
+        </message>
+        <message>
+            <source>Leave the option imu empty to take imu.csv beside the scan</source>
+            <translation>将选项 imu 留空即采用扫描旁的 imu.csv</translation>
+        </message>
+        <message>
+            <source>the inertial unit %1 does not fit the scan: %2</source>
+            <translation>惯性单元 %1 与扫描不符：%2</translation>
+        </message>
+        <message>
+            <source>Add the offset between the clocks to the times of the unit</source>
+            <translation>请将时钟之间的偏差加到该单元的时间上</translation>
+        </message>
+        <message>
+            <source>the extrinsics of a device are no numbers</source>
+            <translation>设备的外参不是数</translation>
+        </message>
+        <message>
+            <source>angles in degrees, and metres</source>
+            <translation>以度计的角度和以米计的长度</translation>
+        </message>
+        <message>
+            <source>'%1' has %2 bytes and no header of an LVX file</source>
+            <translation>“%1”有 %2 字节，没有 LVX 文件头</translation>
+        </message>
+        <message>
+            <source>an LVX or LVX2 file</source>
+            <translation>LVX 或 LVX2 文件</translation>
+        </message>
+        <message>
+            <source>'%1' is an LVX file of version %2.%3</source>
+            <translation>“%1”是版本 %2.%3 的 LVX 文件</translation>
+        </message>
+        <message>
+            <source>version 1.1 or 2</source>
+            <translation>版本 1.1 或 2</translation>
+        </message>
+        <message>
+            <source>Convert it with Livox Viewer</source>
+            <translation>请用 Livox Viewer 转换</translation>
+        </message>
+        <message>
+            <source>%1 device</source>
+            <translation>%1 个设备</translation>
+        </message>
+        <message>
+            <source>%1 devices</source>
+            <translation>%1 个设备</translation>
+        </message>
+        <message>
+            <source>'%1' declares %2 in %3 bytes</source>
+            <translation>“%1”声明 %2，共 %3 字节</translation>
+        </message>
+        <message>
+            <source>the description of at least one device</source>
+            <translation>至少一个设备的描述</translation>
         </message>
         <message>
             <source>indexing blocks</source>
@@ -2219,6 +4073,22 @@
         <message>
             <source>%1 packages</source>
             <translation>%1 个数据包</translation>
+        </message>
+        <message>
+            <source>%1 block</source>
+            <translation>%1 个数据块</translation>
+        </message>
+        <message>
+            <source>%1 blocks</source>
+            <translation>%1 个数据块</translation>
+        </message>
+        <message>
+            <source>'%1' has no points (%2, %3)</source>
+            <translation>“%1”没有点（%2，%3）</translation>
+        </message>
+        <message>
+            <source>an LVX or LVX2 file with points</source>
+            <translation>含有点的 LVX 或 LVX2 文件</translation>
         </message>
         <message>
             <source>the file is cut off or damaged after %1 (%2 % of the file): the frames before that are read</source>
@@ -2251,6 +4121,74 @@
         <message>
             <source>%1: %2, %3 and %4</source>
             <translation>%1：%2，%3 和%4</translation>
+        </message>
+        <message>
+            <source>there is no Ouster JSON file beside '%1'</source>
+            <translation>“%1”旁没有 Ouster 的 JSON 文件</translation>
+        </message>
+        <message>
+            <source>the beams and the packet layout of the sensor, which the packets do not have</source>
+            <translation>传感器的光束和数据包格式，数据包本身不含这些</translation>
+        </message>
+        <message>
+            <source>Put the JSON file that the sensor or its recorder wrote beside the capture, with the same name, or name it with the option sensor</source>
+            <translation>请将传感器或其记录程序写出的 JSON 文件以相同的名称放在抓包文件旁，或用选项 sensor 指定</translation>
+        </message>
+        <message>
+            <source>%1: %2 bytes</source>
+            <translation>%1：%2 字节</translation>
+        </message>
+        <message>
+            <source>, %1: %2 bytes</source>
+            <translation>，%1：%2 字节</translation>
+        </message>
+        <message>
+            <source>none of the JSON files beside '%1' (%2) belongs to it: its packets have %3 bytes</source>
+            <translation>“%1”旁的 JSON 文件（%2）都不属于它：其数据包有 %3 字节</translation>
+        </message>
+        <message>
+            <source>the JSON file of this recording</source>
+            <translation>此记录的 JSON 文件</translation>
+        </message>
+        <message>
+            <source>several Ouster JSON files beside '%1' fit it: %2</source>
+            <translation>“%1”旁有多个 Ouster 的 JSON 文件与之相符：%2</translation>
+        </message>
+        <message>
+            <source>'%1' holds packets of an Ouster sensor, and the option sensor is '%2'</source>
+            <translation>“%1”含有 Ouster 传感器的数据包，而选项 sensor 为“%2”</translation>
+        </message>
+        <message>
+            <source>the packets of '%1' have %2 bytes</source>
+            <translation>“%1”的数据包有 %2 字节</translation>
+        </message>
+        <message>
+            <source>lidar packets of %1 bytes, as '%2' says</source>
+            <translation>“%2”所述的 %1 字节的激光数据包</translation>
+        </message>
+        <message>
+            <source>Is it the JSON file of this recording?</source>
+            <translation>这是此记录的 JSON 文件吗？</translation>
+        </message>
+        <message>
+            <source>'%1' has %2 packets but none with a column of a %3</source>
+            <translation>“%1”有 %2 个数据包，但没有一个含有 %3 的列</translation>
+        </message>
+        <message>
+            <source>'%1' has %2 packets but none with a column of a %3 (%4)</source>
+            <translation>“%1”有 %2 个数据包，但没有一个含有 %3 的列（%4）</translation>
+        </message>
+        <message>
+            <source>lidar packets of %1 bytes, as the JSON file says</source>
+            <translation>JSON 文件所述的 %1 字节的激光数据包</translation>
+        </message>
+        <message>
+            <source>Lidar packets were seen on another port: set the option port to auto</source>
+            <translation>在另一端口上看到激光数据包：请将选项 port 设为 auto</translation>
+        </message>
+        <message>
+            <source>Is the JSON file of this recording?</source>
+            <translation>该 JSON 文件属于此记录吗？</translation>
         </message>
         <message>
             <source>indexing packets</source>
@@ -2345,8 +4283,96 @@
             <translation>%1与惯性单元的数据包等长，但发往其他端口，或其时间是该时钟从未有过的，已舍去</translation>
         </message>
         <message>
+            <source>frame %1 of '%2' can no longer be read</source>
+            <translation>无法再读取“%2”的第 %1 帧</translation>
+        </message>
+        <message>
+            <source>the file as it was when it was opened</source>
+            <translation>与打开时相同的文件</translation>
+        </message>
+        <message>
+            <source>a pcap file</source>
+            <translation>pcap 文件</translation>
+        </message>
+        <message>
+            <source>a pcap file that exists and may be read</source>
+            <translation>存在且可读的 pcap 文件</translation>
+        </message>
+        <message>
+            <source>'%1' is empty</source>
+            <translation>“%1”为空</translation>
+        </message>
+        <message>
+            <source>a pcap or pcapng capture</source>
+            <translation>pcap 或 pcapng 抓包文件</translation>
+        </message>
+        <message>
+            <source>'%1' is not a capture: %2</source>
+            <translation>“%1”不是抓包文件：%2</translation>
+        </message>
+        <message>
+            <source>a pcap or pcapng file</source>
+            <translation>pcap 或 pcapng 文件</translation>
+        </message>
+        <message>
+            <source>'%1' was captured on a link of type %2</source>
+            <translation>“%1”是在类型为 %2 的链路上抓取的</translation>
+        </message>
+        <message>
+            <source>Ethernet, Linux cooked capture, loopback or raw IP</source>
+            <translation>以太网、Linux cooked 抓包、环回或原始 IP</translation>
+        </message>
+        <message>
+            <source>%1 UDP datagram</source>
+            <translation>%1 个 UDP 数据报</translation>
+        </message>
+        <message>
+            <source>%1 UDP datagrams</source>
+            <translation>%1 个 UDP 数据报</translation>
+        </message>
+        <message>
+            <source>'%1' has %2 but no Velodyne data packet to UDP port %3</source>
+            <translation>“%1”有%2，但没有发往 UDP 端口 %3 的 Velodyne 数据包</translation>
+        </message>
+        <message>
+            <source>'%1' has %2 but no Velodyne data packet to UDP port %3 (%4)</source>
+            <translation>“%1”有%2，但没有发往 UDP 端口 %3 的 Velodyne 数据包（%4）</translation>
+        </message>
+        <message>
+            <source>datagrams of 1206 bytes</source>
+            <translation>1206 字节的数据报</translation>
+        </message>
+        <message>
+            <source>Data packets were seen on another port: set the option port to auto</source>
+            <translation>在另一端口上看到数据包：请将选项 port 设为 auto</translation>
+        </message>
+        <message>
+            <source>Is this the recording of a Velodyne sensor?</source>
+            <translation>这是 Velodyne 传感器的记录吗？</translation>
+        </message>
+        <message>
+            <source>'%1' has %2 whose blocks are all damaged</source>
+            <translation>“%1”有%2，其中的数据块全部损坏</translation>
+        </message>
+        <message>
+            <source>data packets of a %1</source>
+            <translation>%1 的数据包</translation>
+        </message>
+        <message>
             <source>the sensor's clock was set %1 during the recording; times continue without the jump</source>
             <translation>记录期间传感器的时钟被调整%1；时间继续，不含跳变</translation>
+        </message>
+        <message>
+            <source>'%1' holds packets of a Velodyne sensor that is not known (%2)</source>
+            <translation>“%1”含有未知的 Velodyne 传感器的数据包（%2）</translation>
+        </message>
+        <message>
+            <source>VLP-16, VLP-32C, VLS-128, HDL-32E or HDL-64E</source>
+            <translation>VLP-16、VLP-32C、VLS-128、HDL-32E 或 HDL-64E</translation>
+        </message>
+        <message>
+            <source>Name the sensor with the option sensor</source>
+            <translation>请用选项 sensor 指定传感器</translation>
         </message>
         <message>
             <source>'%1' calibrates a %2, the capture is of a %3: it was left out</source>
@@ -2357,8 +4383,148 @@
             <translation>每台 %1 的接线和标定各不相同，而“%2”旁没有标定文件：点可能偏差数分米。请将该设备的标定文件（db.xml，或 ROS 的 YAML）放在抓包文件旁</translation>
         </message>
         <message>
+            <source>%1 has %2 values</source>
+            <translation>%1 有 %2 个值</translation>
+        </message>
+        <message>
+            <source>%1, as many as the header line names</source>
+            <translation>%1 个，与标题行的列数相同</translation>
+        </message>
+        <message>
+            <source>'%1' line %2</source>
+            <translation>“%1”第 %2 行</translation>
+        </message>
+        <message>
+            <source>%1 has '%2'</source>
+            <translation>%1 为“%2”</translation>
+        </message>
+        <message>
+            <source>%1 has ''</source>
+            <translation>%1 为“”</translation>
+        </message>
+        <message>
+            <source>a number, with a decimal point</source>
+            <translation>一个数，用小数点</translation>
+        </message>
+        <message>
+            <source>%1 has a time of %2 s and %3 s</source>
+            <translation>%1 的时间为 %2 s 和 %3 s</translation>
+        </message>
+        <message>
+            <source>whole seconds, and a part below a second</source>
+            <translation>整秒，以及不足一秒的部分</translation>
+        </message>
+        <message>
+            <source>%1 is no rotation and translation</source>
+            <translation>%1 不是旋转加平移</translation>
+        </message>
+        <message>
+            <source>the rows of a 3 by 4 matrix</source>
+            <translation>3 x 4 矩阵的各行</translation>
+        </message>
+        <message>
+            <source>%1 has a quaternion of length %2</source>
+            <translation>%1 的四元数长度为 %2</translation>
+        </message>
+        <message>
+            <source>length 1</source>
+            <translation>长度 1</translation>
+        </message>
+        <message>
+            <source>'%1' begins with '%2'</source>
+            <translation>“%1”以“%2”开头</translation>
+        </message>
+        <message>
+            <source>a first line that names the columns, with time and x y z (or longitude latitude height)</source>
+            <translation>第一行为列名，含有 time 和 x y z（或 longitude latitude height）</translation>
+        </message>
+        <message>
+            <source>%1 has time %2 after %3</source>
+            <translation>%1 的时间 %2 在 %3 之后</translation>
+        </message>
+        <message>
+            <source>times that increase</source>
+            <translation>递增的时间</translation>
+        </message>
+        <message>
+            <source>'%1' holds no poses</source>
+            <translation>“%1”中没有位姿</translation>
+        </message>
+        <message>
+            <source>'%1' (%2 bytes) is no SBET file</source>
+            <translation>“%1”（%2 字节）不是 SBET 文件</translation>
+        </message>
+        <message>
+            <source>records of 17 numbers: time, latitude and longitude in radians, height, ...</source>
+            <translation>每条 17 个数的记录：时间、以弧度计的纬度和经度、高度等</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 has more than %3 cells</source>
+            <translation>“%1”第 %2 行的单元格超过 %3 个</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 opens a quote that is never closed</source>
+            <translation>“%1”第 %2 行的引号没有闭合</translation>
+        </message>
+        <message>
+            <source>a closing "</source>
+            <translation>闭合的 "</translation>
+        </message>
+        <message>
+            <source>'%1' is not text</source>
+            <translation>“%1”不是文本</translation>
+        </message>
+        <message>
+            <source>a CSV table</source>
+            <translation>CSV 表</translation>
+        </message>
+        <message>
+            <source>a line with the names of the columns</source>
+            <translation>一行列名</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 has a column without a name</source>
+            <translation>“%1”第 %2 行有一列没有名称</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 names the column '%3' twice</source>
+            <translation>“%1”第 %2 行有两列都名为“%3”</translation>
+        </message>
+        <message>
+            <source>one name per column</source>
+            <translation>每列一个名称</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 has %3 cell</source>
+            <translation>“%1”第 %2 行有 %3 个单元格</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 has %3 cells</source>
+            <translation>“%1”第 %2 行有 %3 个单元格</translation>
+        </message>
+        <message>
+            <source>%1, one per column</source>
+            <translation>%1 个，每列一个</translation>
+        </message>
+        <message>
+            <source>no table is named</source>
+            <translation>没有指定表</translation>
+        </message>
+        <message>
+            <source>a CSV file</source>
+            <translation>CSV 文件</translation>
+        </message>
+        <message>
             <source>%1 positions go back in time and are left out, %2 are kept: look whether two logs were joined, or the clock was set</source>
             <translation>%1 个位置的时间倒退，已舍去，保留 %2 个：请检查是否合并了两份日志，或时钟被调整过</translation>
+        </message>
+        <message>
+            <source>the track has no positions</source>
+            <translation>GNSS 轨迹没有位置</translation>
+        </message>
+        <message>
+            <source>latitude_deg and longitude_deg, or x_m and y_m</source>
+            <translation>列 latitude_deg 和 longitude_deg，或 x_m 和 y_m</translation>
         </message>
         <message>
             <source>%1 positions</source>
@@ -2385,6 +4551,150 @@
             <translation>%1 个历元的两种发送标识（%2）的位置相差超过一米：日志可能含有两台接收机。以 GN 为准，否则以第一个为准</translation>
         </message>
         <message>
+            <source>%1 has no position</source>
+            <translation>%1 没有位置</translation>
+        </message>
+        <message>
+            <source>GGA or RMC sentences with a fix, or rows with coordinates</source>
+            <translation>有定位的 GGA 或 RMC 语句，或有坐标的各行</translation>
+        </message>
+        <message>
+            <source>It was read as %1: set the option format if it is another one</source>
+            <translation>它按 %1 读取：如果是其他格式，请设置选项 format</translation>
+        </message>
+        <message>
+            <source>no track is named</source>
+            <translation>没有指定 GNSS 轨迹</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 has %3 value</source>
+            <translation>“%1”第 %2 行有 %3 个值</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 has %3 values</source>
+            <translation>“%1”第 %2 行有 %3 个值</translation>
+        </message>
+        <message>
+            <source>'%1' line %2 has '%3'</source>
+            <translation>“%1”第 %2 行含有“%3”</translation>
+        </message>
+        <message>
+            <source>time tx ty tz qx qy qz qw</source>
+            <translation>时间和 tx ty tz qx qy qz qw（time tx ty tz qx qy qz qw）</translation>
+        </message>
+        <message>
+            <source>length 1 and the order qx qy qz qw</source>
+            <translation>长度 1，顺序为 qx qy qz qw</translation>
+        </message>
+        <message>
+            <source>12 numbers: the rows of a 3 by 4 matrix</source>
+            <translation>12 个数：3 x 4 矩阵的各行</translation>
+        </message>
+        <message>
+            <source>%1 has no time: there are %2</source>
+            <translation>%1 没有时间：共有 %2 个</translation>
+        </message>
+        <message>
+            <source>one time per pose</source>
+            <translation>每个位姿一个时间</translation>
+        </message>
+        <message>
+            <source>no trajectory is named</source>
+            <translation>没有指定轨迹</translation>
+        </message>
+        <message>
+            <source>'%1' and '%2' differ in their point format</source>
+            <translation>“%1”与“%2”的点格式不同</translation>
+        </message>
+        <message>
+            <source>'%1' and '%2' differ in their coordinate steps</source>
+            <translation>“%1”与“%2”的坐标步长不同</translation>
+        </message>
+        <message>
+            <source>'%1' and '%2' differ in their coordinate steps (the offset)</source>
+            <translation>“%1”与“%2”的坐标步长不同（偏移）</translation>
+        </message>
+        <message>
+            <source>files of one cloud, of the same point format and steps</source>
+            <translation>同一点云的文件，点格式和步长相同</translation>
+        </message>
+        <message>
+            <source>Convert them alike: bole convert</source>
+            <translation>请作同样的转换：bole convert</translation>
+        </message>
+        <message>
+            <source>'%1' is no LAS, LAZ or COPC file</source>
+            <translation>“%1”不是 LAS、LAZ 或 COPC 文件</translation>
+        </message>
+        <message>
+            <source>the coordinates of '%1' are not in metres</source>
+            <translation>“%1”的坐标不以米为单位</translation>
+        </message>
+        <message>
+            <source>a projected coordinate system in metres</source>
+            <translation>以米为单位的投影坐标系</translation>
+        </message>
+        <message>
+            <source>Project the cloud first</source>
+            <translation>请先投影点云</translation>
+        </message>
+        <message>
+            <source>point format</source>
+            <translation>点格式</translation>
+        </message>
+        <message>
+            <source>coordinate steps</source>
+            <translation>坐标步长</translation>
+        </message>
+        <message>
+            <source>coordinate steps (the offset)</source>
+            <translation>坐标步长（偏移）</translation>
+        </message>
+        <message>
+            <source>the buffer of %1 m is wider than the tile of %2 m</source>
+            <translation>缓冲区 %1 m 比分块 %2 m 更宽</translation>
+        </message>
+        <message>
+            <source>a tile that is at least as wide as its buffer</source>
+            <translation>不小于其缓冲区的分块</translation>
+        </message>
+        <message>
+            <source>Set tile to several times buffer</source>
+            <translation>请将 tile 设为 buffer 的数倍</translation>
+        </message>
+        <message>
+            <source>the files hold no points</source>
+            <translation>各文件中没有点</translation>
+        </message>
+        <message>
+            <source>no file is given</source>
+            <translation>没有给出文件</translation>
+        </message>
+        <message>
+            <source>the files of a cloud</source>
+            <translation>点云的各文件</translation>
+        </message>
+        <message>
+            <source>Set files</source>
+            <translation>请设置 files</translation>
+        </message>
+        <message>
+            <source>the points lie in more than %1 tiles of %2 m</source>
+            <translation>点分布在超过 %1 个 %2 m 的分块中</translation>
+        </message>
+        <message>
+            <source>tiles that fit the cloud</source>
+            <translation>与点云相称的分块</translation>
+        </message>
+        <message>
+            <source>Set tile to a larger side; bole info shows how far the cloud reaches</source>
+            <translation>请将 tile 设为更大的边长；bole info 显示点云的范围</translation>
+        </message>
+        <message>
+            <source>room for the records of all tiles, uncompressed</source>
+            <translation>可容纳所有分块记录（未压缩）的空间</translation>
+        </message>
+        <message>
             <source>writing tiles</source>
             <translation>写出分块</translation>
         </message>
@@ -2393,20 +4703,300 @@
             <translation>%1 个点分入 %2 个 %3 m 的分块，缓冲区 %4 m，其中 %5 个点在缓冲区内重复</translation>
         </message>
         <message>
+            <source>the compressed file has no usable chunk table</source>
+            <translation>压缩文件没有可用的数据块表</translation>
+        </message>
+        <message>
+            <source>chunks that can be read one by one</source>
+            <translation>可以逐块读取的数据块</translation>
+        </message>
+        <message>
+            <source>Write it anew: bole convert FILE NEW.laz</source>
+            <translation>请重新写出：bole convert FILE NEW.laz</translation>
+        </message>
+        <message>
+            <source>Write camera.json (pipelines/calibrate_camera.json measures it), or set camera=FILE, camera=fx,fy,cx,cy or one of %1</source>
+            <translation>请编写 camera.json（由 pipelines/calibrate_camera.json 测定），或设置 camera=FILE、camera=fx,fy,cx,cy 或下列之一：%1</translation>
+        </message>
+        <message>
+            <source>camera is '%1'</source>
+            <translation>选项 camera 为“%1”</translation>
+        </message>
+        <message>
+            <source>a file camera.json, four numbers fx,fy,cx,cy in pixels, or one of %1</source>
+            <translation>文件 camera.json，以像素计的四个数 fx,fy,cx,cy，或下列之一：%1</translation>
+        </message>
+        <message>
             <source>fx and fy of the camera have different signs: its axes, and those of the world, are left-handed, so that everything is mirrored</source>
             <translation>相机的 fx 与 fy 符号不同：相机及世界坐标轴为左手系，因此一切成镜像</translation>
+        </message>
+        <message>
+            <source>the views have no file of their camera</source>
+            <translation>视图没有相机的文件</translation>
+        </message>
+        <message>
+            <source>the camera of the views</source>
+            <translation>视图的相机</translation>
         </message>
         <message>
             <source>the camera is not known: its focal length is a guess that serves calibration only</source>
             <translation>相机未知：其焦距是只能用于标定的估计值</translation>
         </message>
         <message>
+            <source>the entry 'distortion' has %1 numbers</source>
+            <translation>条目“distortion”有 %1 个数</translation>
+        </message>
+        <message>
+            <source>k1, k2, p1, p2 and k3</source>
+            <translation>k1、k2、p1、p2 和 k3</translation>
+        </message>
+        <message>
+            <source>Calibrate with the model of five coefficients</source>
+            <translation>请用五个系数的模型标定</translation>
+        </message>
+        <message>
+            <source>the entry 'intrinsic_matrix' is %1</source>
+            <translation>条目“intrinsic_matrix”为 %1</translation>
+        </message>
+        <message>
+            <source>fx, 0, 0, 0, fy, 0, cx, cy, 1</source>
+            <translation>九个数 fx, 0, 0, 0, fy, 0, cx, cy, 1</translation>
+        </message>
+        <message>
             <source>camera.json has no depth_scale: 1000 units of the depth image per metre are assumed</source>
             <translation>camera.json 没有 depth_scale：假定深度图像每米 1000 个单位</translation>
         </message>
         <message>
+            <source>the entry 'depth_scale' is %1</source>
+            <translation>条目“depth_scale”为 %1</translation>
+        </message>
+        <message>
+            <source>units of the depth image per metre, from 1 to 1000000 (1000: millimetres)</source>
+            <translation>深度图像每米的单位数，从 1 至 1000000（1000：毫米）</translation>
+        </message>
+        <message>
+            <source>Metres per unit are given the other way round: 0.001 is 1000</source>
+            <translation>如果给出的是每单位的米数，则应取倒数：0.001 即 1000</translation>
+        </message>
+        <message>
+            <source>the entry 'depth' is %1</source>
+            <translation>条目“depth”为 %1</translation>
+        </message>
+        <message>
+            <source>a camera: width, height, fx, fy, cx, cy</source>
+            <translation>相机：width、height、fx、fy、cx、cy</translation>
+        </message>
+        <message>
             <source>camera.json has a depth camera and no depth_to_color: the two cameras are taken to be at one place</source>
             <translation>camera.json 有深度相机而没有 depth_to_color：视为两台相机在同一位置</translation>
+        </message>
+        <message>
+            <source>a matrix of 4 x 4 numbers</source>
+            <translation>4 x 4 的数值矩阵</translation>
+        </message>
+        <message>
+            <source>depth_to_color moves by %1 m</source>
+            <translation>depth_to_color 移动了 %1 m</translation>
+        </message>
+        <message>
+            <source>metres between two cameras of one housing</source>
+            <translation>同一机身内两台相机之间以米计的距离</translation>
+        </message>
+        <message>
+            <source>If these are millimetres, divide them by 1000</source>
+            <translation>如果以毫米计，请除以 1000</translation>
+        </message>
+        <message>
+            <source>the entry 'squares' is %1</source>
+            <translation>条目“squares”为 %1</translation>
+        </message>
+        <message>
+            <source>two whole numbers from 2 to 100: columns and rows</source>
+            <translation>两个 2 至 100 的整数：列数和行数</translation>
+        </message>
+        <message>
+            <source>the entry 'dictionary' is '%1'</source>
+            <translation>条目“dictionary”为“%1”</translation>
+        </message>
+        <message>
+            <source>a dictionary of OpenCV, such as DICT_4X4_50 or DICT_6X6_250</source>
+            <translation>OpenCV 的字典，例如 DICT_4X4_50 或 DICT_6X6_250</translation>
+        </message>
+        <message>
+            <source>a board of %1 x %2 squares has %3 markers, %4 has %5</source>
+            <translation>%1 x %2 个方格的标定板有 %3 个标志，而 %4 有 %5 个</translation>
+        </message>
+        <message>
+            <source>a dictionary that is large enough</source>
+            <translation>足够大的字典</translation>
+        </message>
+        <message>
+            <source>marker_mm is %1 and square_mm %2</source>
+            <translation>marker_mm 为 %1，square_mm 为 %2</translation>
+        </message>
+        <message>
+            <source>markers smaller than the squares, and not below a fifth of them</source>
+            <translation>标志小于方格，且不小于方格的五分之一</translation>
+        </message>
+        <message>
+            <source>an object with width, height, fx, fy, cx, cy, distortion (five numbers) and depth_scale</source>
+            <translation>含有 width、height、fx、fy、cx、cy、distortion（五个数）和 depth_scale 的对象</translation>
+        </message>
+        <message>
+            <source>the entry 'depth_bias' is %1</source>
+            <translation>条目“depth_bias”为 %1</translation>
+        </message>
+        <message>
+            <source>up to three numbers b0, b1, b2 in metres</source>
+            <translation>至多三个以米计的数 b0、b1、b2</translation>
+        </message>
+        <message>
+            <source>{"type": "charuco", "dictionary": "DICT_4X4_50", "squares": [11, 9], "square_mm": 30, "marker_mm": 22}</source>
+            <translation>例如 {"type": "charuco", "dictionary": "DICT_4X4_50", "squares": [11, 9], "square_mm": 30, "marker_mm": 22}</translation>
+        </message>
+        <message>
+            <source>the entry 'type' is '%1'</source>
+            <translation>条目“type”为“%1”</translation>
+        </message>
+        <message>
+            <source>charuco or chessboard</source>
+            <translation>charuco 或 chessboard</translation>
+        </message>
+        <message>
+            <source>square_mm is %1</source>
+            <translation>square_mm 为 %1</translation>
+        </message>
+        <message>
+            <source>millimetres, from 1 to 1000</source>
+            <translation>以毫米计，从 1 至 1000</translation>
+        </message>
+        <message>
+            <source>Metres times 1000 are millimetres</source>
+            <translation>米乘以 1000 即毫米</translation>
+        </message>
+        <message>
+            <source>the entry 'first_square' is '%1'</source>
+            <translation>条目“first_square”为“%1”</translation>
+        </message>
+        <message>
+            <source>black or white</source>
+            <translation>black 或 white</translation>
+        </message>
+        <message>
+            <source>the file is cut off</source>
+            <translation>文件被截断</translation>
+        </message>
+        <message>
+            <source>a whole file of COLMAP</source>
+            <translation>完整的 COLMAP 文件</translation>
+        </message>
+        <message>
+            <source>the file claims %1 entries and has %2 bytes for them</source>
+            <translation>文件声明 %1 个条目，而只有 %2 字节</translation>
+        </message>
+        <message>
+            <source>a name has no end</source>
+            <translation>名称没有结尾</translation>
+        </message>
+        <message>
+            <source>a camera has the model %1</source>
+            <translation>相机的模型为%1</translation>
+        </message>
+        <message>
+            <source>SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL or OPENCV</source>
+            <translation>SIMPLE_PINHOLE、PINHOLE、SIMPLE_RADIAL、RADIAL 或 OPENCV</translation>
+        </message>
+        <message>
+            <source>Undistort the images with colmap image_undistorter first</source>
+            <translation>请先用 colmap image_undistorter 对图像去畸变</translation>
+        </message>
+        <message>
+            <source>a camera has %1 x %2 pixels</source>
+            <translation>相机的尺寸为 %1 x %2 像素</translation>
+        </message>
+        <message>
+            <source>the size of its images</source>
+            <translation>其图像的尺寸</translation>
+        </message>
+        <message>
+            <source>two cameras have the number %1</source>
+            <translation>两台相机的编号都是 %1</translation>
+        </message>
+        <message>
+            <source>a number of its own for each</source>
+            <translation>每台各有编号</translation>
+        </message>
+        <message>
+            <source>%1 has a value that is no number</source>
+            <translation>%1 有一个值不是数</translation>
+        </message>
+        <message>
+            <source>%1 has %2 words</source>
+            <translation>%1 有 %2 个词</translation>
+        </message>
+        <message>
+            <source>CAMERA_ID MODEL WIDTH HEIGHT PARAMETERS</source>
+            <translation>CAMERA_ID MODEL WIDTH HEIGHT PARAMETERS 各项</translation>
+        </message>
+        <message>
+            <source>%1 has %2 parameters</source>
+            <translation>%1 有 %2 个参数</translation>
+        </message>
+        <message>
+            <source>%1 for %2</source>
+            <translation>%1 个，对应 %2</translation>
+        </message>
+        <message>
+            <source>number %1</source>
+            <translation>编号 %1</translation>
+        </message>
+        <message>
+            <source>camera %1</source>
+            <translation>相机 %1</translation>
+        </message>
+        <message>
+            <source>length 1, qw first</source>
+            <translation>长度 1，qw 在前</translation>
+        </message>
+        <message>
+            <source>IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME, and a line of points</source>
+            <translation>IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME 各项，以及一行点</translation>
+        </message>
+        <message>
+            <source>image %1</source>
+            <translation>图像 %1</translation>
+        </message>
+        <message>
+            <source>cameras of COLMAP</source>
+            <translation>COLMAP 的相机</translation>
+        </message>
+        <message>
+            <source>the file holds no cameras</source>
+            <translation>文件中没有相机</translation>
+        </message>
+        <message>
+            <source>images of COLMAP</source>
+            <translation>COLMAP 的图像</translation>
+        </message>
+        <message>
+            <source>the file holds no images</source>
+            <translation>文件中没有图像</translation>
+        </message>
+        <message>
+            <source>images that COLMAP registered</source>
+            <translation>COLMAP 已配准的图像</translation>
+        </message>
+        <message>
+            <source>a point</source>
+            <translation>一个点</translation>
+        </message>
+        <message>
+            <source>point %1</source>
+            <translation>点 %1</translation>
+        </message>
+        <message>
+            <source>view %1 of '%2'</source>
+            <translation>“%2”的视图 %1</translation>
         </message>
         <message>
             <source>%1 images are%2</source>
@@ -2477,6 +5067,30 @@
             <translation>查看图像</translation>
         </message>
         <message>
+            <source>'%1' has no view that can be used: %2</source>
+            <translation>“%1”没有可用的视图：%2</translation>
+        </message>
+        <message>
+            <source>colour images of the size of their camera</source>
+            <translation>与相机尺寸相同的彩色图像</translation>
+        </message>
+        <message>
+            <source>Calibrate the camera at the size of its images</source>
+            <translation>请按图像的尺寸标定相机</translation>
+        </message>
+        <message>
+            <source>'%1' has no depth that can be used: %2</source>
+            <translation>“%1”没有可用的深度：%2</translation>
+        </message>
+        <message>
+            <source>depth images with one channel of 16 bits, and of the size of their camera</source>
+            <translation>单通道 16 位、且与相机尺寸相同的深度图像</translation>
+        </message>
+        <message>
+            <source>Images that are not registered to colour need the entries depth and depth_to_color in camera.json</source>
+            <translation>没有与彩色配准的图像需要 camera.json 中的条目 depth 和 depth_to_color</translation>
+        </message>
+        <message>
             <source>colour</source>
             <translation>彩色</translation>
         </message>
@@ -2511,6 +5125,34 @@
         <message>
             <source>views have no pose in %1</source>
             <translation>个视图在 %1 中没有位姿</translation>
+        </message>
+        <message>
+            <source>a PNG, JPEG or PGM image</source>
+            <translation>PNG、JPEG 或 PGM 图像</translation>
+        </message>
+        <message>
+            <source>'%1' is no whole image (%2 bytes)</source>
+            <translation>“%1”不是完整的图像（%2 字节）</translation>
+        </message>
+        <message>
+            <source>the file is no JSON object, or it is cut off</source>
+            <translation>文件不是 JSON 对象，或被截断</translation>
+        </message>
+        <message>
+            <source>the entry '%1' is missing</source>
+            <translation>缺少条目“%1”</translation>
+        </message>
+        <message>
+            <source>the entry '%1' is %2</source>
+            <translation>条目“%1”为 %2</translation>
+        </message>
+        <message>
+            <source>the entry 'width' is %1</source>
+            <translation>条目“width”为 %1</translation>
+        </message>
+        <message>
+            <source>the entry 'height' is %1</source>
+            <translation>条目“height”为 %1</translation>
         </message>
         <message>
             <source>the given poses are not used: %1</source>
@@ -2549,16 +5191,104 @@
             <translation>长度以%1的单位计，未必是米：请给出标定板或已知长度</translation>
         </message>
         <message>
+            <source>'%1' does not exist</source>
+            <translation>“%1”不存在</translation>
+        </message>
+        <message>
+            <source>'%1' holds images, and none has a number as its name</source>
+            <translation>“%1”中有图像，但没有一幅以编号命名</translation>
+        </message>
+        <message>
+            <source>'%1' holds no images</source>
+            <translation>“%1”中没有图像</translation>
+        </message>
+        <message>
+            <source>images 000000.png, 000001.png, ... (.png or .jpg)</source>
+            <translation>图像 000000.png、000001.png 等（.png 或 .jpg）</translation>
+        </message>
+        <message>
+            <source>the images of '%1' are not found (first: '%2')</source>
+            <translation>找不到“%1”的图像（第一幅：“%2”）</translation>
+        </message>
+        <message>
+            <source>a folder images/ in the folder of the model or above it</source>
+            <translation>模型所在文件夹或其上级中的文件夹 images/</translation>
+        </message>
+        <message>
+            <source>'%1' holds no model of COLMAP</source>
+            <translation>“%1”中没有 COLMAP 模型</translation>
+        </message>
+        <message>
+            <source>cameras and images, .bin or .txt</source>
+            <translation>cameras 和 images，.bin 或 .txt</translation>
+        </message>
+        <message>
+            <source>the option camera is set, and the model has the cameras</source>
+            <translation>设置了选项 camera，而模型已有相机</translation>
+        </message>
+        <message>
+            <source>one of both</source>
+            <translation>两者之一</translation>
+        </message>
+        <message>
+            <source>Leave camera empty</source>
+            <translation>请将 camera 留空</translation>
+        </message>
+        <message>
+            <source>image '%1' has camera %2</source>
+            <translation>图像“%1”的相机为 %2</translation>
+        </message>
+        <message>
+            <source>one of the cameras file</source>
+            <translation>cameras 文件中的一台相机</translation>
+        </message>
+        <message>
             <source>the model of COLMAP</source>
             <translation>COLMAP 模型</translation>
+        </message>
+        <message>
+            <source>'%1' has no folder of colour images</source>
+            <translation>“%1”没有彩色图像的文件夹</translation>
+        </message>
+        <message>
+            <source>color/ and depth/</source>
+            <translation>文件夹 color/ 和 depth/</translation>
+        </message>
+        <message>
+            <source>'%1' holds no images that are named by a number</source>
+            <translation>“%1”中没有以编号命名的图像</translation>
+        </message>
+        <message>
+            <source>0.png, 1.png, ...</source>
+            <translation>0.png、1.png 等</translation>
         </message>
         <message>
             <source>the scale of the depth is not given: 1000 units per metre are assumed. Set depth_scale (ICL and TUM: 5000)</source>
             <translation>没有给出深度的比例：假定每米 1000 个单位。请设置 depth_scale（ICL 和 TUM：5000）</translation>
         </message>
         <message>
+            <source>.png, .jpg or .pgm</source>
+            <translation>.png、.jpg 或 .pgm</translation>
+        </message>
+        <message>
             <source>transforms.json is read, and the %1 files beside it are not</source>
             <translation>读取 transforms.json，其旁的 %1 个文件不读取</translation>
+        </message>
+        <message>
+            <source>none of its images is there (first: '%1')</source>
+            <translation>其图像一幅也没有（第一幅：“%1”）</translation>
+        </message>
+        <message>
+            <source>the images</source>
+            <translation>这些图像</translation>
+        </message>
+        <message>
+            <source>the option camera is set, and transforms.json has the cameras</source>
+            <translation>设置了选项 camera，而 transforms.json 已有相机</translation>
+        </message>
+        <message>
+            <source>'%1' holds no transforms.json</source>
+            <translation>“%1”中没有 transforms.json</translation>
         </message>
         <message>
             <source>they have no pose</source>
@@ -2577,8 +5307,68 @@
             <translation>个视图没有深度图像</translation>
         </message>
         <message>
+            <source>'%1' holds no images NAME_Color_TIME.png</source>
+            <translation>“%1”中没有名为 NAME_Color_TIME.png 的图像</translation>
+        </message>
+        <message>
+            <source>exported images</source>
+            <translation>导出的图像</translation>
+        </message>
+        <message>
+            <source>'%1' has the time of another image</source>
+            <translation>“%1”的时间与另一幅图像相同</translation>
+        </message>
+        <message>
+            <source>one recording in a folder</source>
+            <translation>一个文件夹中只有一次记录</translation>
+        </message>
+        <message>
             <source>there are no images NAME_Depth_TIME.png: the views have no depth</source>
             <translation>没有名为 NAME_Depth_TIME.png 的图像：视图没有深度</translation>
+        </message>
+        <message>
+            <source>3 x 3 numbers</source>
+            <translation>3 x 3 个数</translation>
+        </message>
+        <message>
+            <source>3 numbers</source>
+            <translation>3 个数</translation>
+        </message>
+        <message>
+            <source>rotmat and tvec are no pose</source>
+            <translation>rotmat 和 tvec 不是位姿</translation>
+        </message>
+        <message>
+            <source>3 x 3 and 3 numbers</source>
+            <translation>3 x 3 个数和 3 个数</translation>
+        </message>
+        <message>
+            <source>fx, fy, cx, cy, k1, k2, p1, p2</source>
+            <translation>参数 fx、fy、cx、cy、k1、k2、p1、p2</translation>
+        </message>
+        <message>
+            <source>the camera model is %1 with %2 parameters</source>
+            <translation>相机模型为 %1，有 %2 个参数</translation>
+        </message>
+        <message>
+            <source>the metadata of an image</source>
+            <translation>图像的元数据</translation>
+        </message>
+        <message>
+            <source>x, y, z, pan and tilt</source>
+            <translation>x、y、z、pan 和 tilt</translation>
+        </message>
+        <message>
+            <source>the pose has %1 numbers</source>
+            <translation>位姿有 %1 个数</translation>
+        </message>
+        <message>
+            <source>'%1' describes no image</source>
+            <translation>“%1”没有描述任何图像</translation>
+        </message>
+        <message>
+            <source>files 00000_rgb.json</source>
+            <translation>文件 00000_rgb.json 等</translation>
         </message>
         <message>
             <source>files of metadata cannot be used</source>
@@ -2591,6 +5381,14 @@
         <message>
             <source>%1 poses are those that the arm was sent to, not measured: estimate the poses from the images</source>
             <translation>%1 个位姿是机械臂的指令位姿，不是测得的：请由图像估计位姿</translation>
+        </message>
+        <message>
+            <source>'%1' is no matrix of a camera</source>
+            <translation>“%1”不是相机的矩阵</translation>
+        </message>
+        <message>
+            <source>fx 0 cx / 0 fy cy / 0 0 1</source>
+            <translation>矩阵 fx 0 cx / 0 fy cy / 0 0 1</translation>
         </message>
         <message>
             <source>there are no files of poses</source>
@@ -2613,12 +5411,28 @@
             <translation>没有 intrinsic_color.txt：视为彩色已与深度配准</translation>
         </message>
         <message>
+            <source>'%1' holds no files frame-000000.color.png</source>
+            <translation>“%1”中没有文件 frame-000000.color.png 等</translation>
+        </message>
+        <message>
+            <source>the layout of 7-Scenes</source>
+            <translation>7-Scenes 的目录结构</translation>
+        </message>
+        <message>
             <source>the folder</source>
             <translation>文件夹</translation>
         </message>
         <message>
             <source>there is no camera-intrinsics.txt: the depth camera of 7-Scenes is taken (585, 585, 320, 240)</source>
             <translation>没有 camera-intrinsics.txt：采用 7-Scenes 的深度相机（585, 585, 320, 240）</translation>
+        </message>
+        <message>
+            <source>0.jpg, 1.jpg, ...</source>
+            <translation>0.jpg、1.jpg 等</translation>
+        </message>
+        <message>
+            <source>a time and the name of a file, or both twice</source>
+            <translation>一个时间和一个文件名，或两者各两个</translation>
         </message>
         <message>
             <source>left out</source>
@@ -2629,12 +5443,64 @@
             <translation>个视图与另一个视图时间相同</translation>
         </message>
         <message>
+            <source>the associations name one file in a line</source>
+            <translation>关联文件每行只有一个文件名</translation>
+        </message>
+        <message>
+            <source>colour and depth in each line</source>
+            <translation>每行有彩色和深度</translation>
+        </message>
+        <message>
             <source>views have no depth image within 20 ms</source>
             <translation>个视图在 20 ms 内没有深度图像</translation>
         </message>
         <message>
+            <source>'%1' lists no colour images</source>
+            <translation>“%1”没有列出彩色图像</translation>
+        </message>
+        <message>
+            <source>lines 'time name'</source>
+            <translation>“时间 文件名”（time name）各行</translation>
+        </message>
+        <message>
             <source>the camera is %1, by the name of the recording; camera=FILE gives another one</source>
             <translation>按记录的名称，相机为 %1；camera=FILE 可指定其他相机</translation>
+        </message>
+        <message>
+            <source>has color/ and no camera.json</source>
+            <translation>有 color/ 而没有 camera.json</translation>
+        </message>
+        <message>
+            <source>holds %1 images and no file of their camera</source>
+            <translation>中有 %1 幅图像，而没有其相机的文件</translation>
+        </message>
+        <message>
+            <source>holds no views; its folder '%1' does</source>
+            <translation>中没有视图；其下的文件夹“%1”中有</translation>
+        </message>
+        <message>
+            <source>holds no views (first entry: '%1')</source>
+            <translation>中没有视图（第一个条目：“%1”）</translation>
+        </message>
+        <message>
+            <source>no folder of views is named</source>
+            <translation>没有指定视图的文件夹</translation>
+        </message>
+        <message>
+            <source>Set the option folder</source>
+            <translation>请设置选项 folder</translation>
+        </message>
+        <message>
+            <source>the folder '%1' %2</source>
+            <translation>文件夹“%1”%2</translation>
+        </message>
+        <message>
+            <source>A camera is given by camera.json in the folder (pipelines/calibrate_camera.json measures it)</source>
+            <translation>相机由文件夹中的 camera.json 给出（由 pipelines/calibrate_camera.json 测定）</translation>
+        </message>
+        <message>
+            <source>'%1' is no file of views</source>
+            <translation>“%1”不是视图的文件</translation>
         </message>
         <message>
             <source>the depth images that were looked at hold no depth</source>
@@ -2645,8 +5511,168 @@
             <translation>按每米 %2 个单位，一半的深度超过 %1 m。如果不对，请设置 depth_scale（1000：毫米）</translation>
         </message>
         <message>
+            <source>views %1 and %2 have the same time</source>
+            <translation>视图 %1 和 %2 的时间相同</translation>
+        </message>
+        <message>
+            <source>'%1' pose %2 has no line of numbers above it</source>
+            <translation>“%1”的位姿 %2 之上没有数字行</translation>
+        </message>
+        <message>
+            <source>per view: tx ty tz qx qy qz qw, a time before them, 12 or 16 numbers of a matrix, or 4 lines of a matrix</source>
+            <translation>每个视图：tx ty tz qx qy qz qw，其前可有时间，或矩阵的 12 或 16 个数，或矩阵的 4 行</translation>
+        </message>
+        <message>
+            <source>'%1' pose %2 is cut off or no matrix</source>
+            <translation>“%1”的位姿 %2 被截断或不是矩阵</translation>
+        </message>
+        <message>
+            <source>'%1' has lines of %2 numbers</source>
+            <translation>“%1”的各行有 %2 个数</translation>
+        </message>
+        <message>
+            <source>'%1' pose %2 has %3 numbers</source>
+            <translation>“%1”的位姿 %2 有 %3 个数</translation>
+        </message>
+        <message>
+            <source>'%1' pose %2</source>
+            <translation>“%1”的位姿 %2</translation>
+        </message>
+        <message>
+            <source>%1 has %2 numbers</source>
+            <translation>%1 有 %2 个数</translation>
+        </message>
+        <message>
+            <source>4 x 4 numbers, rows first: a rotation and a translation</source>
+            <translation>4 x 4 个数，按行排列：旋转和平移</translation>
+        </message>
+        <message>
+            <source>the camera model is a fisheye</source>
+            <translation>相机模型为鱼眼</translation>
+        </message>
+        <message>
+            <source>the camera model is 'PINHOLE'</source>
+            <translation>相机模型为“PINHOLE”</translation>
+        </message>
+        <message>
+            <source>the camera model is '%1'</source>
+            <translation>相机模型为“%1”</translation>
+        </message>
+        <message>
+            <source>PINHOLE, OPENCV, SIMPLE_RADIAL or RADIAL</source>
+            <translation>PINHOLE、OPENCV、SIMPLE_RADIAL 或 RADIAL</translation>
+        </message>
+        <message>
+            <source>Undistort the images first</source>
+            <translation>请先对图像去畸变</translation>
+        </message>
+        <message>
+            <source>the camera has a coefficient k4</source>
+            <translation>相机含有系数 k4</translation>
+        </message>
+        <message>
+            <source>the image is %1 x %2 pixels</source>
+            <translation>图像为 %1 x %2 像素</translation>
+        </message>
+        <message>
+            <source>there is neither fl_x nor camera_angle_x</source>
+            <translation>既没有 fl_x 也没有 camera_angle_x</translation>
+        </message>
+        <message>
+            <source>camera_angle_x is %1</source>
+            <translation>camera_angle_x 为 %1</translation>
+        </message>
+        <message>
+            <source>fl_x in pixels, or camera_angle_x in radians, above 0 and below pi</source>
+            <translation>以像素计的 fl_x，或以弧度计、大于 0 且小于 π 的 camera_angle_x</translation>
+        </message>
+        <message>
+            <source>4 x 4 numbers</source>
+            <translation>4 x 4 个数</translation>
+        </message>
+        <message>
+            <source>an object with frames (file_path, transform_matrix) and camera_angle_x or fl_x</source>
+            <translation>含有 frames（file_path、transform_matrix）和 camera_angle_x 或 fl_x 的对象</translation>
+        </message>
+        <message>
+            <source>the file has no views ('frames')</source>
+            <translation>文件没有视图（“frames”）</translation>
+        </message>
+        <message>
+            <source>depth_unit_scale_factor is %1</source>
+            <translation>depth_unit_scale_factor 为 %1</translation>
+        </message>
+        <message>
+            <source>metres per unit, from 0.000001 to 1</source>
+            <translation>每单位的米数，从 0.000001 至 1</translation>
+        </message>
+        <message>
+            <source>it is %1</source>
+            <translation>其值为 %1</translation>
+        </message>
+        <message>
+            <source>it has no file_path</source>
+            <translation>没有 file_path</translation>
+        </message>
+        <message>
+            <source>%1 is no whole image</source>
+            <translation>%1 不是完整的图像</translation>
+        </message>
+        <message>
+            <source>a whole PNG, JPEG or PGM image</source>
+            <translation>完整的 PNG、JPEG 或 PGM 图像</translation>
+        </message>
+        <message>
+            <source>%1 is cut off</source>
+            <translation>%1 被截断</translation>
+        </message>
+        <message>
+            <source>%1 cannot be decoded: %2</source>
+            <translation>无法解码 %1：%2</translation>
+        </message>
+        <message>
+            <source>%1 is damaged or cut off</source>
+            <translation>%1 已损坏或被截断</translation>
+        </message>
+        <message>
+            <source>%1 cannot be encoded</source>
+            <translation>无法编码 %1</translation>
+        </message>
+        <message>
+            <source>an image that is not empty, .png or .jpg</source>
+            <translation>非空的图像，.png 或 .jpg</translation>
+        </message>
+        <message>
+            <source>%1 is no colour image</source>
+            <translation>%1 不是彩色图像</translation>
+        </message>
+        <message>
+            <source>%1 has %2 channels of %3 bits</source>
+            <translation>%1 有 %2 个 %3 位通道</translation>
+        </message>
+        <message>
+            <source>depth images of one channel and 16 bits</source>
+            <translation>单通道 16 位的深度图像</translation>
+        </message>
+        <message>
+            <source>%1 is no depth image</source>
+            <translation>%1 不是深度图像</translation>
+        </message>
+        <message>
+            <source> or %1 (%2)</source>
+            <translation> 或 %1（%2）</translation>
+        </message>
+        <message>
             <source>the option crs has no effect: the positions of the file are no longitudes and latitudes</source>
             <translation>选项 crs 不起作用：文件中的位置不是经度和纬度</translation>
+        </message>
+        <message>
+            <source>the positions of the trajectory are longitudes and latitudes</source>
+            <translation>轨迹的位置是经度和纬度</translation>
+        </message>
+        <message>
+            <source>the coordinate system of the points</source>
+            <translation>点的坐标系</translation>
         </message>
         <message>
             <source>the path was projected to %1; its heights are above the ellipsoid, unless crs has a height system. Those of the points must be the same</source>
@@ -2679,6 +5705,18 @@
         <message>
             <source>%1 poses</source>
             <translation>%1 个位姿</translation>
+        </message>
+        <message>
+            <source>there is no folder to write the tiles into</source>
+            <translation>没有可写出分块的文件夹</translation>
+        </message>
+        <message>
+            <source>an output folder</source>
+            <translation>输出文件夹</translation>
+        </message>
+        <message>
+            <source>Give --out DIR</source>
+            <translation>请用 --out DIR 指定</translation>
         </message>
         <message>
             <source>%1 x %2 cells of %3 m</source>
@@ -2951,6 +5989,14 @@
     <context>
         <name>plant</name>
         <message>
+            <source>the table of traits has %1 rows</source>
+            <translation>性状表有 %1 行</translation>
+        </message>
+        <message>
+            <source>one plant</source>
+            <translation>一株植株</translation>
+        </message>
+        <message>
             <source>Edit %1 (%2) was not applied: %3.</source>
             <translation>第 %1 项编辑（%2）未应用：%3。</translation>
         </message>
@@ -2963,8 +6009,44 @@
             <translation>指定</translation>
         </message>
         <message>
+            <source>trait is '%1'</source>
+            <translation>trait 为“%1”</translation>
+        </message>
+        <message>
+            <source>height, breadth_length, breadth_width or stem_diameter</source>
+            <translation>height、breadth_length、breadth_width 或 stem_diameter</translation>
+        </message>
+        <message>
+            <source>the box ends before it begins</source>
+            <translation>范围框的终点在起点之前</translation>
+        </message>
+        <message>
+            <source>min below max in x, y and z</source>
+            <translation>在 x、y 和 z 上 min 均小于 max</translation>
+        </message>
+        <message>
+            <source>assign does not say which points</source>
+            <translation>assign 没有说明是哪些点</translation>
+        </message>
+        <message>
+            <source>at and radius_m, or min and max, or outline (and eye)</source>
+            <translation>at 和 radius_m，或 min 和 max，或 outline（和 eye）</translation>
+        </message>
+        <message>
             <source>finding where to look</source>
             <translation>确定查找范围</translation>
+        </message>
+        <message>
+            <source>no depth of two views lies at one place of the region</source>
+            <translation>区域内没有一处有两个视图的深度</translation>
+        </message>
+        <message>
+            <source>depth of the plant</source>
+            <translation>植株的深度</translation>
+        </message>
+        <message>
+            <source>Check the region, the poses and the depth scale</source>
+            <translation>请检查区域、位姿和深度比例</translation>
         </message>
         <message>
             <source>Voxels of %1 mm need more than %2 MiB: %3 mm were used. Give a smaller region or more memory.</source>
@@ -2975,8 +6057,68 @@
             <translation>渲染深度</translation>
         </message>
         <message>
+            <source>it ends early</source>
+            <translation>提前结束</translation>
+        </message>
+        <message>
+            <source>it has no fact 'field' or no column 'value'</source>
+            <translation>没有附注“field”或没有列“value”</translation>
+        </message>
+        <message>
             <source>reading views</source>
             <translation>读取视图</translation>
+        </message>
+        <message>
+            <source>view %1 has no colour image</source>
+            <translation>视图 %1 没有彩色图像</translation>
+        </message>
+        <message>
+            <source>colour images with three channels</source>
+            <translation>三通道的彩色图像</translation>
+        </message>
+        <message>
+            <source>the masks of the views leave no room in common</source>
+            <translation>各视图的掩膜没有共同的空间</translation>
+        </message>
+        <message>
+            <source>masks that show one object from all sides</source>
+            <translation>从各个方向显示同一物体的掩膜</translation>
+        </message>
+        <message>
+            <source>Check masks and poses, or give background=scene, which uses no masks</source>
+            <translation>请检查掩膜和位姿，或设置不用掩膜的 background=scene</translation>
+        </message>
+        <message>
+            <source>pose %1 of %2 poses</source>
+            <translation>%2 个位姿中的位姿 %1</translation>
+        </message>
+        <message>
+            <source>the table is no field: %1</source>
+            <translation>该表不是辐射场：%1</translation>
+        </message>
+        <message>
+            <source>the output 'field' of plant.field</source>
+            <translation>plant.field 的输出“field”</translation>
+        </message>
+        <message>
+            <source>value %1 is %2</source>
+            <translation>值 %1 为 %2</translation>
+        </message>
+        <message>
+            <source>its step is out of range</source>
+            <translation>步长超出范围</translation>
+        </message>
+        <message>
+            <source>it has %1 boxes</source>
+            <translation>有 %1 个框</translation>
+        </message>
+        <message>
+            <source>a box has no blocks</source>
+            <translation>一个框没有块</translation>
+        </message>
+        <message>
+            <source>a box is larger than its numbers</source>
+            <translation>一个框大于其数值</translation>
         </message>
         <message>
             <source>The stem could not be followed from its foot: leaves and internodes were not measured. Look at the base of the plant.</source>
@@ -3015,12 +6157,68 @@
             <translation>没有三个视图在任何一点上一致。视图需要纹理、位姿以及彼此间 2 至 40 度的夹角。</translation>
         </message>
         <message>
+            <source>the points have no fact '%1'</source>
+            <translation>点没有附注“%1”</translation>
+        </message>
+        <message>
+            <source>points of plant.separate</source>
+            <translation>plant.separate 的点</translation>
+        </message>
+        <message>
+            <source>connect the output 'points' of a stage plant.separate</source>
+            <translation>请连接步骤 plant.separate 的输出“points”</translation>
+        </message>
+        <message>
+            <source>the fact '%1' of the points is '%2'</source>
+            <translation>点的附注“%1”为“%2”</translation>
+        </message>
+        <message>
+            <source>the facts of the points give an up direction and a soil that do not fit</source>
+            <translation>点的附注给出的朝上方向与土壤不符</translation>
+        </message>
+        <message>
+            <source>directions of length 1, the soil roughly level</source>
+            <translation>长度为 1 的方向，土壤大致水平</translation>
+        </message>
+        <message>
+            <source>run plant.separate again</source>
+            <translation>请重新运行 plant.separate</translation>
+        </message>
+        <message>
             <source>The plant begins %1 mm above the soil: the lower stem is missing in the cloud.</source>
             <translation>植株从土壤以上 %1 mm 处开始：点云缺少茎的下部。</translation>
         </message>
         <message>
             <source>%1 points of the plant, %2 floaters</source>
             <translation>植株 %1 个点，悬浮点 %2 个</translation>
+        </message>
+        <message>
+            <source>the option %1 is '%2'</source>
+            <translation>选项 %1 为“%2”</translation>
+        </message>
+        <message>
+            <source>the option box is '%1'</source>
+            <translation>选项 box 为“%1”</translation>
+        </message>
+        <message>
+            <source>minimum before maximum on each axis</source>
+            <translation>各轴上最小值在最大值之前</translation>
+        </message>
+        <message>
+            <source>the cloud has %1 points in the box</source>
+            <translation>点云在范围框内有 %1 个点</translation>
+        </message>
+        <message>
+            <source>check the reconstruction, or the option box</source>
+            <translation>请检查重建，或选项 box</translation>
+        </message>
+        <message>
+            <source>all points of the cloud lie at one place</source>
+            <translation>点云的所有点都在同一处</translation>
+        </message>
+        <message>
+            <source>a plant</source>
+            <translation>植株</translation>
         </message>
         <message>
             <source>The scale of the cloud is unknown: traits are in thousandths of its unit, not in millimetres. Use a board (mat.json), a depth camera, or set scale=metres.</source>
@@ -3035,12 +6233,24 @@
             <translation>没有找到能表明哪个方向朝上的桌面、垫板或土壤：取 z 轴。请检查，或设置 up。</translation>
         </message>
         <message>
+            <source>only %1 points stand above soil, pot and table</source>
+            <translation>土壤、盆和桌面以上只有 %1 个点</translation>
+        </message>
+        <message>
+            <source>check the reconstruction, up and box</source>
+            <translation>请检查重建、up 和 box</translation>
+        </message>
+        <message>
             <source>The cloud has no stem near the soil: the middle of the pot is taken for its foot. Set base where that is wrong.</source>
             <translation>点云在土壤附近没有茎：以盆的中心为茎的基部。如果不对，请设置 base。</translation>
         </message>
         <message>
             <source>No round pot was found. Heights are counted from the level surface below the plant; check the soil, or set base.</source>
             <translation>没有找到圆形的盆。高度自植株下方的水平面起算；请检查土壤，或设置 base。</translation>
+        </message>
+        <message>
+            <source>nothing stands above the table</source>
+            <translation>桌面以上没有任何东西</translation>
         </message>
         <message>
             <source>No soil was found: heights are counted from the lowest point of the cloud.</source>
@@ -3055,16 +6265,84 @@
             <translation>比较视图</translation>
         </message>
         <message>
+            <source>%1 of %2 views have a pose</source>
+            <translation>%2 个视图中有 %1 个带位姿</translation>
+        </message>
+        <message>
+            <source>Connect the poses that belong to these views (their times must agree)</source>
+            <translation>请连接属于这些视图的位姿（其时间须一致）</translation>
+        </message>
+        <message>
             <source>%1 of %2 views have no pose and are left out.</source>
             <translation>%2 个视图中有 %1 个没有位姿，已舍去。</translation>
+        </message>
+        <message>
+            <source>the views look in one direction and have no depth</source>
+            <translation>各视图朝同一方向，且没有深度</translation>
+        </message>
+        <message>
+            <source>views from around the plant, or depth</source>
+            <translation>环绕植株的视图，或深度</translation>
+        </message>
+        <message>
+            <source>Give the region with the option 'region'</source>
+            <translation>请用选项“region”给出区域</translation>
+        </message>
+        <message>
+            <source>the region is '%1'</source>
+            <translation>区域为“%1”</translation>
+        </message>
+        <message>
+            <source>six numbers: min x, y, z, max x, y, z in metres, min below max</source>
+            <translation>以米计的六个数：min x, y, z, max x, y, z，min 小于 max</translation>
+        </message>
+        <message>
+            <source>no view has a depth above zero</source>
+            <translation>没有视图含有大于零的深度</translation>
+        </message>
+        <message>
+            <source>views with depth</source>
+            <translation>含有深度的视图</translation>
+        </message>
+        <message>
+            <source>Look at the depth images of the folder</source>
+            <translation>请检查文件夹中的深度图像</translation>
         </message>
         <message>
             <source>Few places are seen by %1 % of the views: the region holds what %2 % see. Give the region with the option 'region' where it is wrong.</source>
             <translation>很少有地方被 %1 % 的视图看到：区域取 %2 % 的视图所见的范围。如果不对，请用选项“region”给出区域。</translation>
         </message>
         <message>
+            <source>no place is seen by several of the %1 views</source>
+            <translation>没有一处被 %1 个视图中的多个看到</translation>
+        </message>
+        <message>
+            <source>views that look at one plant</source>
+            <translation>朝向同一植株的视图</translation>
+        </message>
+        <message>
+            <source>Check the poses, or give the region with the option 'region'</source>
+            <translation>请检查位姿，或用选项“region”给出区域</translation>
+        </message>
+        <message>
+            <source>the views have no depth</source>
+            <translation>视图没有深度</translation>
+        </message>
+        <message>
+            <source>views of an RGB-D camera</source>
+            <translation>RGB-D 相机的视图</translation>
+        </message>
+        <message>
+            <source>Use plant.field without a start, or plant.match_views</source>
+            <translation>请使用 plant.field 而不给初始，或使用 plant.match_views</translation>
+        </message>
+        <message>
             <source>finding the surfaces</source>
             <translation>查找表面</translation>
+        </message>
+        <message>
+            <source>no depth lies in the region</source>
+            <translation>区域内没有深度</translation>
         </message>
         <message>
             <source>Voxels of %1 mm need more than %2 MiB: %3 mm were used. Give a smaller region, or more memory.</source>
@@ -3073,6 +6351,62 @@
         <message>
             <source>fusing depth</source>
             <translation>融合深度</translation>
+        </message>
+        <message>
+            <source>the checkpoint %1 is damaged: %2</source>
+            <translation>检查点 %1 已损坏：%2</translation>
+        </message>
+        <message>
+            <source>a file that a training has written</source>
+            <translation>训练写出的文件</translation>
+        </message>
+        <message>
+            <source>Delete it to train from the start</source>
+            <translation>请删除它以从头训练</translation>
+        </message>
+        <message>
+            <source>the checkpoint %1 cannot be read</source>
+            <translation>无法读取检查点 %1</translation>
+        </message>
+        <message>
+            <source>its content has changed or is cut off</source>
+            <translation>其内容已改变或被截断</translation>
+        </message>
+        <message>
+            <source>it begins with something else</source>
+            <translation>开头不是应有的内容</translation>
+        </message>
+        <message>
+            <source>it has %1 bytes</source>
+            <translation>有 %1 字节</translation>
+        </message>
+        <message>
+            <source>the checkpoint %1 belongs to another training</source>
+            <translation>检查点 %1 属于另一次训练</translation>
+        </message>
+        <message>
+            <source>one with the same options, region, pictures and poses</source>
+            <translation>选项、区域、图像和位姿都相同的训练</translation>
+        </message>
+        <message>
+            <source>Delete it, or give this training a checkpoint of its own</source>
+            <translation>请删除它，或为此训练指定单独的检查点</translation>
+        </message>
+        <message>
+            <source>%1 bytes are left over</source>
+            <translation>多余 %1 字节</translation>
+        </message>
+        <message>
+            <source>all views are kept back</source>
+            <translation>所有视图都被保留</translation>
+        </message>
+        <message>
+            <source>views to learn from</source>
+            <translation>用于学习的视图</translation>
+        </message>
+        <message>
+            <source>Set hold_out to 0</source>
+            <translation>请将 hold_out 设为 0</translation>
         </message>
         <message>
             <source>The training went on after step %1 of %2, from %3.</source>
@@ -3151,6 +6485,22 @@
             <translation>图像中的叶尖</translation>
         </message>
         <message>
+            <source>the table of traits does not tell how it was measured</source>
+            <translation>性状表没有说明是如何测得的</translation>
+        </message>
+        <message>
+            <source>the output 'traits' of plant.traits</source>
+            <translation>plant.traits 的输出“traits”</translation>
+        </message>
+        <message>
+            <source>the fact 'plant_trait_options' is damaged</source>
+            <translation>附注“plant_trait_options”已损坏</translation>
+        </message>
+        <message>
+            <source>a JSON object</source>
+            <translation>JSON 对象</translation>
+        </message>
+        <message>
             <source>not measured</source>
             <translation>未测</translation>
         </message>
@@ -3173,6 +6523,22 @@
         <message>
             <source>stem above the height of measurement</source>
             <translation>测量高度以上的茎</translation>
+        </message>
+        <message>
+            <source>the points have no column 'part'</source>
+            <translation>点没有列“part”</translation>
+        </message>
+        <message>
+            <source>the cloud has %1 points of the plant</source>
+            <translation>点云中植株有 %1 个点</translation>
+        </message>
+        <message>
+            <source>at least 20</source>
+            <translation>至少 20 个</translation>
+        </message>
+        <message>
+            <source>look at the column 'part', and set up, box or base of plant.separate</source>
+            <translation>请检查列“part”，并设置 plant.separate 的 up、box 或 base</translation>
         </message>
         <message>
             <source>The scale of the cloud is unknown: the columns in mm hold thousandths of its unit.</source>
@@ -3242,8 +6608,252 @@
     <context>
         <name>render</name>
         <message>
+            <source>the table of growth has no tree</source>
+            <translation>生长量表中没有树</translation>
+        </message>
+        <message>
+            <source>one at least</source>
+            <translation>至少一株</translation>
+        </message>
+        <message>
+            <source>no tree was found again</source>
+            <translation>没有再次找到任何树</translation>
+        </message>
+        <message>
+            <source>a tree with both diameters</source>
+            <translation>两次都有直径的树</translation>
+        </message>
+        <message>
+            <source>a trajectory of %1 poses</source>
+            <translation>有 %1 个位姿的轨迹</translation>
+        </message>
+        <message>
+            <source>figure '%1' could not be drawn: %2</source>
+            <translation>无法绘制图“%1”：%2</translation>
+        </message>
+        <message>
+            <source>figure '%1' would have %2 x %3 pixels</source>
+            <translation>图“%1”将有 %2 x %3 像素</translation>
+        </message>
+        <message>
+            <source>at most %1 a side</source>
+            <translation>每边至多 %1</translation>
+        </message>
+        <message>
+            <source>Lower its resolution or width</source>
+            <translation>请减小其分辨率或宽度</translation>
+        </message>
+        <message>
+            <source>a PNG could not be written: %1</source>
+            <translation>无法写出 PNG：%1</translation>
+        </message>
+        <message>
+            <source>the check has no cell with a measure</source>
+            <translation>检查没有含指标的单元</translation>
+        </message>
+        <message>
+            <source>there is no run to draw</source>
+            <translation>没有可绘制的运行</translation>
+        </message>
+        <message>
+            <source>the trajectory of a run</source>
+            <translation>运行的轨迹</translation>
+        </message>
+        <message>
+            <source>there is no path to draw</source>
+            <translation>没有可绘制的路径</translation>
+        </message>
+        <message>
+            <source>the raster of %1 has no value in the plot</source>
+            <translation>%1的栅格在样地中没有值</translation>
+        </message>
+        <message>
+            <source>a terrain or canopy model</source>
+            <translation>地形模型或冠层模型</translation>
+        </message>
+        <message>
+            <source>there is no raster</source>
+            <translation>没有栅格</translation>
+        </message>
+        <message>
+            <source>a raster</source>
+            <translation>栅格</translation>
+        </message>
+        <message>
+            <source>this program is not linked with OSMesa</source>
+            <translation>此程序没有链接 OSMesa</translation>
+        </message>
+        <message>
+            <source>libOSMesa before libOpenGL among its libraries</source>
+            <translation>其库中 libOSMesa 在 libOpenGL 之前</translation>
+        </message>
+        <message>
+            <source>Use the bole program, or run this one under xvfb-run with the backend glx</source>
+            <translation>请使用 bole 程序，或在 xvfb-run 下以绘图后端 glx 运行此程序</translation>
+        </message>
+        <message>
+            <source>there is no drawing backend '%1'</source>
+            <translation>没有绘图后端“%1”</translation>
+        </message>
+        <message>
+            <source>auto, osmesa, egl or glx</source>
+            <translation>auto、osmesa、egl 或 glx</translation>
+        </message>
+        <message>
+            <source>VTK %1 has no EGL window</source>
+            <translation>VTK %1 没有 EGL 窗口</translation>
+        </message>
+        <message>
+            <source>VTK 9.4 or later</source>
+            <translation>VTK 9.4 或更高版本</translation>
+        </message>
+        <message>
+            <source>Use the backend osmesa</source>
+            <translation>请使用绘图后端 osmesa</translation>
+        </message>
+        <message>
+            <source>the environment variable DISPLAY is not set</source>
+            <translation>没有设置环境变量 DISPLAY</translation>
+        </message>
+        <message>
+            <source>an X display for the backend glx</source>
+            <translation>绘图后端 glx 所需的 X 显示</translation>
+        </message>
+        <message>
+            <source>Run it under xvfb-run, or use the bole program, which draws without a display</source>
+            <translation>请在 xvfb-run 下运行，或使用无需显示即可绘图的 bole 程序</translation>
+        </message>
+        <message>
+            <source>a step from the frame to the rows is not connected</source>
+            <translation>从帧到行的某个步骤未连接</translation>
+        </message>
+        <message>
+            <source>region, cleaned, clusters, trunk points, centres, plants and lines</source>
+            <translation>区域、清理后的点、聚类、树干点、中心、植株和行线</translation>
+        </message>
+        <message>
+            <source>there are %1 different views to fly through</source>
+            <translation>可供飞越的不同视图有 %1 个</translation>
+        </message>
+        <message>
+            <source>two or more</source>
+            <translation>两个或更多</translation>
+        </message>
+        <message>
+            <source>Bookmark more views (Ctrl+B)</source>
+            <translation>请将更多视图加为书签 (Ctrl+B)</translation>
+        </message>
+        <message>
+            <source>the walk is %1 m long</source>
+            <translation>行走路径长 %1 m</translation>
+        </message>
+        <message>
+            <source>a walk of a metre or more</source>
+            <translation>一米或更长的行走路径</translation>
+        </message>
+        <message>
+            <source>there are no points to fly through</source>
+            <translation>没有可供飞越的点</translation>
+        </message>
+        <message>
+            <source>the map has no points</source>
+            <translation>地图没有点</translation>
+        </message>
+        <message>
+            <source>no point of the map lies in the window that is drawn</source>
+            <translation>绘制的窗口内没有地图的点</translation>
+        </message>
+        <message>
+            <source>points around the plot or the stems</source>
+            <translation>样地或单木周围的点</translation>
+        </message>
+        <message>
+            <source>no point lies below the height of the cut</source>
+            <translation>剖切高度以下没有点</translation>
+        </message>
+        <message>
+            <source>a higher cut</source>
+            <translation>更高的剖切高度</translation>
+        </message>
+        <message>
+            <source>%1 is of the kind %2</source>
+            <translation>%1的类型为 %2</translation>
+        </message>
+        <message>
+            <source>point, distance, angle or ring</source>
+            <translation>point、distance、angle 或 ring</translation>
+        </message>
+        <message>
+            <source>%1 holds %2</source>
+            <translation>%1含有 %2</translation>
+        </message>
+        <message>
+            <source>an object with "kind" and "points"</source>
+            <translation>含有 "kind" 和 "points" 的对象</translation>
+        </message>
+        <message>
+            <source>%1 has %2 points</source>
+            <translation>%1有 %2 个点</translation>
+        </message>
+        <message>
+            <source>%1 for the kind %2</source>
+            <translation>%1 个，类型为 %2 时</translation>
+        </message>
+        <message>
+            <source>%1 has a point %2</source>
+            <translation>%1有一个点 %2</translation>
+        </message>
+        <message>
+            <source>the measurements are no JSON object with a list</source>
+            <translation>量测不是含有列表的 JSON 对象</translation>
+        </message>
+        <message>
+            <source>{"measurements": [...]}</source>
+            <translation>对象 {"measurements": [...]}</translation>
+        </message>
+        <message>
+            <source>%1 measurements</source>
+            <translation>%1 个量测</translation>
+        </message>
+        <message>
+            <source>measurement %1</source>
+            <translation>量测 %1</translation>
+        </message>
+        <message>
             <source>sorting points for display</source>
             <translation>为显示整理点</translation>
+        </message>
+        <message>
+            <source>a cloud of %1 points</source>
+            <translation>有 %1 个点的点云</translation>
+        </message>
+        <message>
+            <source>at most 4 294 967 294</source>
+            <translation>至多 4 294 967 294 个</translation>
+        </message>
+        <message>
+            <source>Thin it</source>
+            <translation>请抽稀</translation>
+        </message>
+        <message>
+            <source>depth images of two sizes are compared</source>
+            <translation>比较的深度图像尺寸不同</translation>
+        </message>
+        <message>
+            <source>the views are no JSON list</source>
+            <translation>视图不是 JSON 列表</translation>
+        </message>
+        <message>
+            <source>a list of views, as the window writes it</source>
+            <translation>窗口写出的视图列表</translation>
+        </message>
+        <message>
+            <source>the views cannot be read: %1</source>
+            <translation>无法读取视图：%1</translation>
+        </message>
+        <message>
+            <source>Bookmark the views again</source>
+            <translation>请重新将视图加为书签</translation>
         </message>
     </context>
     <context>
@@ -3289,6 +6899,42 @@
             <translation>绘制%1</translation>
         </message>
         <message>
+            <source>the plot values have no measure '%1'</source>
+            <translation>样地数值中没有指标“%1”</translation>
+        </message>
+        <message>
+            <source>the table of inventory.plot_values</source>
+            <translation>inventory.plot_values 的表</translation>
+        </message>
+        <message>
+            <source>Connect plot_values of that stage to the report</source>
+            <translation>请将该步骤的 plot_values 连接到报告</translation>
+        </message>
+        <message>
+            <source>the views of %1 cannot be read</source>
+            <translation>无法读取 %1 中的视图</translation>
+        </message>
+        <message>
+            <source>a file of bookmarks, such as plot.views.json</source>
+            <translation>书签视图的文件，例如 plot.views.json</translation>
+        </message>
+        <message>
+            <source>there is no folder for the frames</source>
+            <translation>没有存放各帧的文件夹</translation>
+        </message>
+        <message>
+            <source>Give it with --out DIR</source>
+            <translation>请用 --out DIR 指定</translation>
+        </message>
+        <message>
+            <source>there is no walk to fly along</source>
+            <translation>没有可沿其飞行的行走路径</translation>
+        </message>
+        <message>
+            <source>Set course=views and give a file of bookmarked views</source>
+            <translation>请设置 course=views 并给出书签视图的文件</translation>
+        </message>
+        <message>
             <source>points</source>
             <translation>点</translation>
         </message>
@@ -3309,6 +6955,26 @@
             <translation>视频</translation>
         </message>
         <message>
+            <source>ffmpeg cannot be started (%1)</source>
+            <translation>无法启动 ffmpeg（%1）</translation>
+        </message>
+        <message>
+            <source>a program that runs</source>
+            <translation>可以运行的程序</translation>
+        </message>
+        <message>
+            <source>ffmpeg wrote no video: %1</source>
+            <translation>ffmpeg 没有写出视频：%1</translation>
+        </message>
+        <message>
+            <source>an ffmpeg with libx264</source>
+            <translation>带 libx264 的 ffmpeg</translation>
+        </message>
+        <message>
+            <source>The frames are in %1</source>
+            <translation>各帧在 %1 中</translation>
+        </message>
+        <message>
             <source>report</source>
             <translation>报告</translation>
         </message>
@@ -3319,6 +6985,14 @@
         <message>
             <source>the 3-D maps could not be drawn: %1</source>
             <translation>无法绘制三维地图：%1</translation>
+        </message>
+        <message>
+            <source>report.plant has no input</source>
+            <translation>report.plant 没有输入</translation>
+        </message>
+        <message>
+            <source>at least the traits or the points</source>
+            <translation>至少有性状或点</translation>
         </message>
         <message>
             <source>no point was found to be of the plant: cloud.ply has all points</source>
@@ -3343,6 +7017,10 @@
         <message>
             <source>making of the field</source>
             <translation>辐射场的生成过程</translation>
+        </message>
+        <message>
+            <source>there is no folder to write the report into</source>
+            <translation>没有可写出报告的文件夹</translation>
         </message>
         <message>
             <source>%1 could not be written: %2</source>
@@ -3371,6 +7049,14 @@
         <message>
             <source>error curves</source>
             <translation>误差曲线</translation>
+        </message>
+        <message>
+            <source>report.steering has no input</source>
+            <translation>report.steering 没有输入</translation>
+        </message>
+        <message>
+            <source>at least one of summary, passes, errors, log, parameters, steps, lines</source>
+            <translation>summary、passes、errors、log、parameters、steps、lines 中的至少一个</translation>
         </message>
         <message>
             <source>map by height</source>
@@ -3440,6 +7126,18 @@
             <source>breast-height slices</source>
             <translation>胸高横切面图</translation>
         </message>
+        <message>
+            <source>cannot begin the workbook %1</source>
+            <translation>无法建立工作簿 %1</translation>
+        </message>
+        <message>
+            <source>cannot write the workbook: %1</source>
+            <translation>无法写出工作簿：%1</translation>
+        </message>
+        <message>
+            <source>cannot add the sheet %1</source>
+            <translation>无法添加工作表 %1</translation>
+        </message>
     </context>
     <context>
         <name>rgbd</name>
@@ -3460,8 +7158,92 @@
             <translation>首格为白色，标志从上行起编号</translation>
         </message>
         <message>
+            <source>the board's dictionary is '%1'</source>
+            <translation>标定板的字典为“%1”</translation>
+        </message>
+        <message>
+            <source>the board has %1 x %2 squares of %3 m with markers of %4 m</source>
+            <translation>标定板有 %1 x %2 个方格，方格 %3 m，标志 %4 m</translation>
+        </message>
+        <message>
+            <source>2 to 1000 squares in each direction</source>
+            <translation>每个方向 2 至 1000 个方格</translation>
+        </message>
+        <message>
+            <source>Correct mat.json.</source>
+            <translation>请更正 mat.json。</translation>
+        </message>
+        <message>
+            <source>markers smaller than their squares</source>
+            <translation>标志小于其方格</translation>
+        </message>
+        <message>
+            <source>Correct square_mm and marker_mm in mat.json.</source>
+            <translation>请更正 mat.json 中的 square_mm 和 marker_mm。</translation>
+        </message>
+        <message>
+            <source>the views have no board (mat.json)</source>
+            <translation>视图没有标定板（mat.json）</translation>
+        </message>
+        <message>
+            <source>the board that they show</source>
+            <translation>视图所示的标定板</translation>
+        </message>
+        <message>
+            <source>Set board=chessboard or board=charuco with columns, rows and square, or write mat.json</source>
+            <translation>请设置 board=chessboard 或 board=charuco 以及 columns、rows 和 square，或编写 mat.json</translation>
+        </message>
+        <message>
+            <source>a chessboard of %1 x %2 squares is too small</source>
+            <translation>%1 x %2 个方格的棋盘格太小</translation>
+        </message>
+        <message>
+            <source>4 x 4 squares or more</source>
+            <translation>4 x 4 个方格或更多</translation>
+        </message>
+        <message>
             <source>looking for the board</source>
             <translation>查找标定板</translation>
+        </message>
+        <message>
+            <source>the corners have no column 'view'</source>
+            <translation>角点没有列“view”</translation>
+        </message>
+        <message>
+            <source>view, x_px, y_px, board_x_m, board_y_m</source>
+            <translation>view、x_px、y_px、board_x_m、board_y_m 各列</translation>
+        </message>
+        <message>
+            <source>row %1 of the corners has a missing number</source>
+            <translation>角点的第 %1 行缺少一个数</translation>
+        </message>
+        <message>
+            <source>four numbers</source>
+            <translation>四个数</translation>
+        </message>
+        <message>
+            <source>there are no views</source>
+            <translation>没有视图</translation>
+        </message>
+        <message>
+            <source>pictures of a board</source>
+            <translation>标定板的图像</translation>
+        </message>
+        <message>
+            <source>neither views nor corners are connected</source>
+            <translation>视图和角点都未连接</translation>
+        </message>
+        <message>
+            <source>pictures of a board, or a table of its corners</source>
+            <translation>标定板的图像，或其角点的表</translation>
+        </message>
+        <message>
+            <source>the size of the images is not given</source>
+            <translation>没有给出图像的尺寸</translation>
+        </message>
+        <message>
+            <source>the options width and height, in pixels</source>
+            <translation>以像素计的选项 width 和 height</translation>
         </message>
         <message>
             <source>depth camera: %1</source>
@@ -3476,6 +7258,14 @@
             <translation>%2 个视图中的 %1 个，残差 %3 px</translation>
         </message>
         <message>
+            <source>marker is %1 m and square %2 m</source>
+            <translation>marker 为 %1 m，square 为 %2 m</translation>
+        </message>
+        <message>
+            <source>markers smaller than the squares</source>
+            <translation>标志小于方格</translation>
+        </message>
+        <message>
             <source>reading the depth of the boards</source>
             <translation>读取标定板的深度</translation>
         </message>
@@ -3486,6 +7276,66 @@
         <message>
             <source>the boards leave the place of the depth camera open (standard deviation %1 mm): the depth stays as given. Tilt the boards more</source>
             <translation>标定板不能确定深度相机的位置（标准差 %1 mm）：深度保持给定值。请使标定板更加倾斜</translation>
+        </message>
+        <message>
+            <source>%1 views of the board were taken by both cameras</source>
+            <translation>两台相机都拍到标定板的视图有 %1 个</translation>
+        </message>
+        <message>
+            <source>%1 at least, at the same times</source>
+            <translation>至少 %1 个，时间相同</translation>
+        </message>
+        <message>
+            <source>the corners of %1 views fit no camera (%2)</source>
+            <translation>%1 个视图的角点与任何相机都不符（%2）</translation>
+        </message>
+        <message>
+            <source>views of one flat board, tilted in several directions</source>
+            <translation>同一平面标定板向多个方向倾斜的视图</translation>
+        </message>
+        <message>
+            <source>%1 of %2 views show the board</source>
+            <translation>%2 个视图中有 %1 个拍到标定板</translation>
+        </message>
+        <message>
+            <source>%1 views at least, better 20</source>
+            <translation>至少 %1 个视图，最好 20 个</translation>
+        </message>
+        <message>
+            <source>Check the size of the board (columns and rows count squares), or take more pictures</source>
+            <translation>请检查标定板的尺寸（columns 和 rows 为方格数），或拍摄更多图像</translation>
+        </message>
+        <message>
+            <source>the boards of all %1 views are parallel to within %2 deg</source>
+            <translation>全部 %1 个视图的标定板在 %2 度以内互相平行</translation>
+        </message>
+        <message>
+            <source>boards that are tilted by 20 deg and more, in several directions</source>
+            <translation>标定板向多个方向倾斜 20 度或更多</translation>
+        </message>
+        <message>
+            <source>the views leave the focal length open by %1 % (standard deviation)</source>
+            <translation>视图使焦距的不确定度达 %1 %（标准差）</translation>
+        </message>
+        <message>
+            <source>boards that are tilted more, and nearer</source>
+            <translation>标定板倾斜更大、更近</translation>
+        </message>
+        <message>
+            <source>Take 20 views, near and far, in all corners</source>
+            <translation>请拍摄 20 个视图，远近都有，遍及图像各角</translation>
+        </message>
+        <message>
+            <source>the views give a distortion that folds the image</source>
+            <translation>视图得出的畸变使图像折叠</translation>
+        </message>
+        <message>
+            <source>corners in all parts of the image</source>
+            <translation>遍及图像各部分的角点</translation>
+        </message>
+        <message>
+            <source>Set distortion=k1_k2, or take views with the board in the corners of the image</source>
+            <translation>请设置 distortion=k1_k2，或拍摄标定板位于图像各角的视图</translation>
         </message>
         <message>
             <source>%1 views do not fit the others and are left out: %2</source>
@@ -3508,12 +7358,104 @@
             <translation>拟合相机</translation>
         </message>
         <message>
+            <source>a depth image is %1 x %2 pixels, its camera %3 x %4</source>
+            <translation>深度图像为 %1 x %2 像素，其相机为 %3 x %4</translation>
+        </message>
+        <message>
+            <source>one size</source>
+            <translation>相同的尺寸</translation>
+        </message>
+        <message>
+            <source>Give the depth camera (depth, depth_to_color), or depth registered to colour.</source>
+            <translation>请给出深度相机（depth、depth_to_color），或与彩色配准的深度。</translation>
+        </message>
+        <message>
+            <source>an image has %1 channels</source>
+            <translation>图像有 %1 个通道</translation>
+        </message>
+        <message>
+            <source>1 or 3</source>
+            <translation>1 或 3 个</translation>
+        </message>
+        <message>
+            <source>features of two kinds are compared</source>
+            <translation>比较的特征种类不同</translation>
+        </message>
+        <message>
+            <source>one kind</source>
+            <translation>同一种类</translation>
+        </message>
+        <message>
             <source>bundle adjustment</source>
             <translation>光束法平差</translation>
         </message>
         <message>
+            <source>Check the folder of the views.</source>
+            <translation>请检查视图的文件夹。</translation>
+        </message>
+        <message>
+            <source>there are %1 views</source>
+            <translation>有 %1 个视图</translation>
+        </message>
+        <message>
+            <source>Read every n-th view, or a part of them (options every and max_views of io.read_views).</source>
+            <translation>请每隔若干视图读取一个，或只读取一部分（io.read_views 的选项 every 和 max_views）。</translation>
+        </message>
+        <message>
+            <source>measured depth is %1 times what the board says</source>
+            <translation>测得的深度是标定板所示的 %1 倍</translation>
+        </message>
+        <message>
+            <source>depth and board of one size</source>
+            <translation>尺寸一致的深度和标定板</translation>
+        </message>
+        <message>
+            <source>Correct depth_scale (units per metre) in camera.json, or square_mm in mat.json.</source>
+            <translation>请更正 camera.json 中的 depth_scale（每米的单位数），或 mat.json 中的 square_mm。</translation>
+        </message>
+        <message>
             <source>measured depth is %1 times what the board says; the scale of the board is used. Check depth_scale in camera.json and square_mm in mat.json</source>
             <translation>测得的深度是标定板所示的 %1 倍；采用标定板的比例。请检查 camera.json 中的 depth_scale 和 mat.json 中的 square_mm</translation>
+        </message>
+        <message>
+            <source>there is one view and no board in it</source>
+            <translation>只有一个视图，且其中没有标定板</translation>
+        </message>
+        <message>
+            <source>at least 2 views, or a board that fixes the pose</source>
+            <translation>至少 2 个视图，或能确定位姿的标定板</translation>
+        </message>
+        <message>
+            <source>Give a folder with all views.</source>
+            <translation>请给出含有全部视图的文件夹。</translation>
+        </message>
+        <message>
+            <source>no feature of any view has depth</source>
+            <translation>没有视图的特征带有深度</translation>
+        </message>
+        <message>
+            <source>the views have no depth and no board</source>
+            <translation>视图既没有深度也没有标定板</translation>
+        </message>
+        <message>
+            <source>depth images, or a ChArUco board in the views</source>
+            <translation>深度图像，或视图中的 ChArUco 标定板</translation>
+        </message>
+        <message>
+            <source>Check the depth images and depth_scale, or give poses and source=given. Poses without scale: allow_unscaled=true.</source>
+            <translation>请检查深度图像和 depth_scale，或给出位姿并设置 source=given。不带比例的位姿：allow_unscaled=true。</translation>
+        </message>
+        <message>
+            <source>no two of the views show the same thing</source>
+            <translation>没有两个视图拍到同样的内容</translation>
+        </message>
+        <message>
+            <source>at least %1 matches between two views</source>
+            <translation>两个视图之间至少 %1 个匹配</translation>
+        </message>
+        <message>
+            <source>Take views that overlap by half or more, with texture in them.</source>
+            <translation>请拍摄重叠一半或更多、且有纹理的视图。</translation>
         </message>
         <message>
             <source>the bundle adjustment found no solution, and the first poses are kept: %1</source>
@@ -3522,6 +7464,42 @@
         <message>
             <source>the views have neither depth nor a board: lengths are in units of the median distance of the points, not in metres</source>
             <translation>视图既没有深度也没有标定板：长度以点的中位距离为单位，而不是米</translation>
+        </message>
+        <message>
+            <source>the views came without poses</source>
+            <translation>视图没有附带位姿</translation>
+        </message>
+        <message>
+            <source>a trajectory, or source=slam</source>
+            <translation>轨迹，或 source=slam</translation>
+        </message>
+        <message>
+            <source>Set source=slam, or put poses.tum beside the views.</source>
+            <translation>请设置 source=slam，或将 poses.tum 放在视图旁。</translation>
+        </message>
+        <message>
+            <source>the given pose of view %1 (%2) is no rigid motion</source>
+            <translation>视图 %1（%2）的给定位姿不是刚体运动</translation>
+        </message>
+        <message>
+            <source>an orthonormal rotation with determinant +1 and a finite place</source>
+            <translation>行列式为 +1 的正交旋转和有限的位置</translation>
+        </message>
+        <message>
+            <source>Correct the file of poses, or set source=slam.</source>
+            <translation>请更正位姿文件，或设置 source=slam。</translation>
+        </message>
+        <message>
+            <source>none of the given poses has the time of a view</source>
+            <translation>给定的位姿都没有与任何视图相同的时间</translation>
+        </message>
+        <message>
+            <source>times that agree to a microsecond</source>
+            <translation>相差不超过一微秒的时间</translation>
+        </message>
+        <message>
+            <source>Correct the times in the file of poses, or set source=slam.</source>
+            <translation>请更正位姿文件中的时间，或设置 source=slam。</translation>
         </message>
         <message>
             <source>the given poses could not be checked: the views have too few matches with depth</source>
@@ -3600,6 +7578,14 @@
             <translation>跟踪了 %2 个视图中的 %1 个；%3</translation>
         </message>
         <message>
+            <source>the image of view %1 (%2) is %3 x %4 pixels, its camera %5 x %6</source>
+            <translation>视图 %1（%2）的图像为 %3 x %4 像素，其相机为 %5 x %6</translation>
+        </message>
+        <message>
+            <source>Correct width and height of the camera.</source>
+            <translation>请更正相机的 width 和 height。</translation>
+        </message>
+        <message>
             <source>the views should show a board, but it was found in none of them; check dictionary, squares and marker size in mat.json</source>
             <translation>视图应拍到标定板，但没有一个视图中找到它；请检查 mat.json 中的字典、方格数和标志尺寸</translation>
         </message>
@@ -3614,6 +7600,18 @@
         <message>
             <source>finding features</source>
             <translation>提取特征</translation>
+        </message>
+        <message>
+            <source>no view has any feature: the images are black or without texture</source>
+            <translation>没有视图含有任何特征：图像全黑或没有纹理</translation>
+        </message>
+        <message>
+            <source>views with texture</source>
+            <translation>有纹理的视图</translation>
+        </message>
+        <message>
+            <source>Check the images, the exposure and the lamp.</source>
+            <translation>请检查图像、曝光和灯光。</translation>
         </message>
         <message>
             <source> and %1 more</source>
@@ -3789,6 +7787,10 @@
         <message>
             <source>%1 poses of the sensor</source>
             <translation>传感器有 %1 个位姿</translation>
+        </message>
+        <message>
+            <source>one</source>
+            <translation>一个</translation>
         </message>
         <message>
             <source>the pose of the sensor is not finite</source>
@@ -4056,7 +8058,434 @@
         </message>
     </context>
     <context>
+        <name>sensor</name>
+        <message>
+            <source>the calibration enables %1 lasers</source>
+            <translation>标定文件启用了 %1 个激光器</translation>
+        </message>
+        <message>
+            <source>128, 64, 32 or 16 (Velodyne)</source>
+            <translation>128、64、32 或 16 个（Velodyne）</translation>
+        </message>
+        <message>
+            <source>laser %1 is there twice</source>
+            <translation>激光器 %1 重复</translation>
+        </message>
+        <message>
+            <source>one entry per laser</source>
+            <translation>每个激光器一项</translation>
+        </message>
+        <message>
+            <source>laser %1 is absent</source>
+            <translation>缺少激光器 %1</translation>
+        </message>
+        <message>
+            <source>all %1 lasers of a %2</source>
+            <translation>%2 的全部 %1 个激光器</translation>
+        </message>
+        <message>
+            <source>%1 is '%2'</source>
+            <translation>%1 为“%2”</translation>
+        </message>
+        <message>
+            <source>the file is no correction table</source>
+            <translation>文件不是校正表</translation>
+        </message>
+        <message>
+            <source>the header 'Laser id,Elevation,Azimuth' and a line per laser</source>
+            <translation>标题行“Laser id,Elevation,Azimuth”和每个激光器一行</translation>
+        </message>
+        <message>
+            <source>the correction file has the line '%1'</source>
+            <translation>校正文件含有一行“%1”</translation>
+        </message>
+        <message>
+            <source>a laser from 1 to %1, elevation and azimuth in degrees</source>
+            <translation>1 至 %1 的激光器编号，以度计的仰角和方位角</translation>
+        </message>
+        <message>
+            <source>the correction file has %1 lasers</source>
+            <translation>校正文件有 %1 个激光器</translation>
+        </message>
+        <message>
+            <source>%1, as the %2 has</source>
+            <translation>%1 个，与 %2 相同</translation>
+        </message>
+        <message>
+            <source>the sensor %1 has %2 lasers</source>
+            <translation>传感器 %1 有 %2 个激光器</translation>
+        </message>
+        <message>
+            <source>%1, as the packets have</source>
+            <translation>%1 个，与数据包相同</translation>
+        </message>
+        <message>
+            <source>the sensor %1 does not send Hesai packets that are known</source>
+            <translation>传感器 %1 不发送已知的 Hesai 数据包</translation>
+        </message>
+        <message>
+            <source>a PandarXT-32 or Pandar40P</source>
+            <translation>PandarXT-32 或 Pandar40P</translation>
+        </message>
+        <message>
+            <source>a firing of %1 echoes</source>
+            <translation>一次发射有 %1 个回波</translation>
+        </message>
+        <message>
+            <source>%1, one per laser of the %2</source>
+            <translation>%1 个，%2 的每个激光器一个</translation>
+        </message>
+        <message>
+            <source>the sensor %1 does not send Ouster packets</source>
+            <translation>传感器 %1 不发送 Ouster 数据包</translation>
+        </message>
+        <message>
+            <source>an Ouster sensor</source>
+            <translation>Ouster 传感器</translation>
+        </message>
+        <message>
+            <source>a turn of the %1 at %2 revolutions per second has %3 columns</source>
+            <translation>%1 以每秒 %2 圈旋转时每圈有 %3 列</translation>
+        </message>
+        <message>
+            <source>a multiple of 16, as with 5, 10 or 20 revolutions per second</source>
+            <translation>16 的倍数，例如每秒 5、10 或 20 圈时</translation>
+        </message>
+        <message>
+            <source>a column of %1 echoes</source>
+            <translation>一列有 %1 个回波</translation>
+        </message>
+        <message>
+            <source>'%1' is not a list of at most 256 numbers</source>
+            <translation>“%1”不是至多 256 个数的列表</translation>
+        </message>
+        <message>
+            <source>a list of numbers up to +-%1</source>
+            <translation>+-%1 以内的数的列表</translation>
+        </message>
+        <message>
+            <source>'%1' holds %2</source>
+            <translation>“%1”含有 %2</translation>
+        </message>
+        <message>
+            <source>'beam_altitude_angles' is absent</source>
+            <translation>缺少“beam_altitude_angles”</translation>
+        </message>
+        <message>
+            <source>'beam_azimuth_angles' is absent</source>
+            <translation>缺少“beam_azimuth_angles”</translation>
+        </message>
+        <message>
+            <source>the JSON file of an Ouster sensor</source>
+            <translation>Ouster 传感器的 JSON 文件</translation>
+        </message>
+        <message>
+            <source>'%1' is %2</source>
+            <translation>“%1”为 %2</translation>
+        </message>
+        <message>
+            <source>'lidar_to_sensor_transform' has %1 numbers</source>
+            <translation>“lidar_to_sensor_transform”有 %1 个数</translation>
+        </message>
+        <message>
+            <source>'imu_to_sensor_transform' has %1 numbers</source>
+            <translation>“imu_to_sensor_transform”有 %1 个数</translation>
+        </message>
+        <message>
+            <source>'lidar_to_sensor_transform' is no rigid motion</source>
+            <translation>“lidar_to_sensor_transform”不是刚体运动</translation>
+        </message>
+        <message>
+            <source>'imu_to_sensor_transform' is no rigid motion</source>
+            <translation>“imu_to_sensor_transform”不是刚体运动</translation>
+        </message>
+        <message>
+            <source>a rotation and a translation in millimetres</source>
+            <translation>旋转和以毫米计的平移</translation>
+        </message>
+        <message>
+            <source>the sensor sent the profile '%1'</source>
+            <translation>传感器发送的格式为“%1”</translation>
+        </message>
+        <message>
+            <source>Set udp_profile_lidar of the sensor to one of these, and record again</source>
+            <translation>请将传感器的 udp_profile_lidar 设为其中之一，并重新记录</translation>
+        </message>
+        <message>
+            <source>'beam_to_lidar_transform' has %1 numbers</source>
+            <translation>“beam_to_lidar_transform”有 %1 个数</translation>
+        </message>
+        <message>
+            <source>'lidar_origin_to_beam_origin_mm' is %1</source>
+            <translation>“lidar_origin_to_beam_origin_mm”为 %1</translation>
+        </message>
+        <message>
+            <source>'column_window' is %1</source>
+            <translation>“column_window”为 %1</translation>
+        </message>
+        <message>
+            <source>two columns from 0 to %1</source>
+            <translation>0 至 %1 的两列</translation>
+        </message>
+        <message>
+            <source>the text is not a JSON object</source>
+            <translation>文本不是 JSON 对象</translation>
+        </message>
+        <message>
+            <source>the file has %1 beam altitude angles and %2 azimuth angles</source>
+            <translation>文件有 %1 个光束仰角和 %2 个方位角</translation>
+        </message>
+        <message>
+            <source>one of each per line</source>
+            <translation>每条线各一个</translation>
+        </message>
+        <message>
+            <source>the file has %1 beams for %2 pixels</source>
+            <translation>文件的 %2 个像素有 %1 条光束</translation>
+        </message>
+        <message>
+            <source>one beam per pixel of a column</source>
+            <translation>一列的每个像素一条光束</translation>
+        </message>
+        <message>
+            <source>a datagram of %1 bytes</source>
+            <translation>%1 字节的数据报</translation>
+        </message>
+        <message>
+            <source>cannot write to '%1'</source>
+            <translation>无法写入“%1”</translation>
+        </message>
+        <message>
+            <source>'%1' is absent</source>
+            <translation>缺少“%1”</translation>
+        </message>
+        <message>
+            <source>'elevation_deg' is not a list</source>
+            <translation>“elevation_deg”不是列表</translation>
+        </message>
+        <message>
+            <source>'azimuth_offset_deg' is not a list</source>
+            <translation>“azimuth_offset_deg”不是列表</translation>
+        </message>
+        <message>
+            <source>'firing_time_us' is not a list</source>
+            <translation>“firing_time_us”不是列表</translation>
+        </message>
+        <message>
+            <source>'height_offset_mm' is not a list</source>
+            <translation>“height_offset_mm”不是列表</translation>
+        </message>
+        <message>
+            <source>one number per laser, in the order of the packet</source>
+            <translation>每个激光器一个数，按数据包中的顺序</translation>
+        </message>
+        <message>
+            <source>'elevation_deg' has %1 entries</source>
+            <translation>“elevation_deg”有 %1 项</translation>
+        </message>
+        <message>
+            <source>'azimuth_offset_deg' has %1 entries</source>
+            <translation>“azimuth_offset_deg”有 %1 项</translation>
+        </message>
+        <message>
+            <source>'firing_time_us' has %1 entries</source>
+            <translation>“firing_time_us”有 %1 项</translation>
+        </message>
+        <message>
+            <source>'height_offset_mm' has %1 entries</source>
+            <translation>“height_offset_mm”有 %1 项</translation>
+        </message>
+        <message>
+            <source>1 to %1</source>
+            <translation>1 至 %1</translation>
+        </message>
+        <message>
+            <source>%1, as elevation_deg has</source>
+            <translation>%1 项，与 elevation_deg 相同</translation>
+        </message>
+        <message>
+            <source>'elevation_deg' holds %1</source>
+            <translation>“elevation_deg”含有 %1</translation>
+        </message>
+        <message>
+            <source>'azimuth_offset_deg' holds %1</source>
+            <translation>“azimuth_offset_deg”含有 %1</translation>
+        </message>
+        <message>
+            <source>'firing_time_us' holds %1</source>
+            <translation>“firing_time_us”含有 %1</translation>
+        </message>
+        <message>
+            <source>'height_offset_mm' holds %1</source>
+            <translation>“height_offset_mm”含有 %1</translation>
+        </message>
+        <message>
+            <source>numbers from %1 to %2</source>
+            <translation>%1 至 %2 的数</translation>
+        </message>
+        <message>
+            <source>'pattern' is '%1'</source>
+            <translation>“pattern”为“%1”</translation>
+        </message>
+        <message>
+            <source>lines or rosette</source>
+            <translation>lines 或 rosette</translation>
+        </message>
+        <message>
+            <source>'beam_assumed' is %1</source>
+            <translation>“beam_assumed”为 %1</translation>
+        </message>
+        <message>
+            <source>'dual_return' is %1</source>
+            <translation>“dual_return”为 %1</translation>
+        </message>
+        <message>
+            <source>'packet' is '%1'</source>
+            <translation>“packet”为“%1”</translation>
+        </message>
+        <message>
+            <source>velodyne, hesai, ouster or none</source>
+            <translation>velodyne、hesai、ouster 或 none</translation>
+        </message>
+        <message>
+            <source>a Velodyne block of %1 lasers and %2 sequences</source>
+            <translation>Velodyne 数据块有 %1 个激光器和 %2 个序列</translation>
+        </message>
+        <message>
+            <source>16 lasers twice, 32 once, or 64 or 128 in banks of 32</source>
+            <translation>16 个激光器两次，32 个一次，或 64 或 128 个按 32 个一组</translation>
+        </message>
+        <message>
+            <source>the sensor is not a JSON object</source>
+            <translation>传感器不是 JSON 对象</translation>
+        </message>
+        <message>
+            <source>an object with the entries of resources/sensors/vlp16.json</source>
+            <translation>含有 resources/sensors/vlp16.json 各项的对象</translation>
+        </message>
+        <message>
+            <source>the calibration of a Velodyne unit (XML or YAML)</source>
+            <translation>Velodyne 设备的标定文件（XML 或 YAML）</translation>
+        </message>
+        <message>
+            <source>'%1' is larger than 4 MB</source>
+            <translation>“%1”大于 4 MB</translation>
+        </message>
+        <message>
+            <source>the calibration of a Velodyne unit</source>
+            <translation>Velodyne 设备的标定文件</translation>
+        </message>
+        <message>
+            <source>there is no sensor '%1'</source>
+            <translation>没有传感器“%1”</translation>
+        </message>
+        <message>
+            <source>one of %1, or the path of a JSON file or of a Velodyne calibration (XML, YAML)</source>
+            <translation>下列之一：%1，或 JSON 文件、Velodyne 标定文件（XML、YAML）的路径</translation>
+        </message>
+        <message>
+            <source>a sensor description in JSON</source>
+            <translation>JSON 格式的传感器描述</translation>
+        </message>
+        <message>
+            <source>'%1' is not JSON</source>
+            <translation>“%1”不是 JSON</translation>
+        </message>
+        <message>
+            <source>a sensor description like resources/sensors/vlp16.json</source>
+            <translation>resources/sensors/vlp16.json 那样的传感器描述</translation>
+        </message>
+        <message>
+            <source>the calibration is no XML: %1</source>
+            <translation>标定文件不是 XML：%1</translation>
+        </message>
+        <message>
+            <source>the db.xml of a Velodyne unit</source>
+            <translation>Velodyne 设备的 db.xml</translation>
+        </message>
+        <message>
+            <source>the XML has no &lt;DB&gt; in &lt;boost_serialization&gt;</source>
+            <translation>XML 的 &lt;boost_serialization&gt; 中没有 &lt;DB&gt;</translation>
+        </message>
+        <message>
+            <source>the sensor %1 does not send Velodyne packets</source>
+            <translation>传感器 %1 不发送 Velodyne 数据包</translation>
+        </message>
+        <message>
+            <source>a Velodyne sensor</source>
+            <translation>Velodyne 传感器</translation>
+        </message>
+        <message>
+            <source>the sensor %1 has no dual return</source>
+            <translation>传感器 %1 没有双回波</translation>
+        </message>
+        <message>
+            <source>strongest or last</source>
+            <translation>strongest 或 last</translation>
+        </message>
+        <message>
+            <source>a firing sequence of %1 echoes</source>
+            <translation>一个发射序列有 %1 个回波</translation>
+        </message>
+        <message>
+            <source>'%1' is there twice in one entry</source>
+            <translation>同一项中“%1”重复</translation>
+        </message>
+        <message>
+            <source>a list of lasers as velodyne_pointcloud has it</source>
+            <translation>velodyne_pointcloud 那样的激光器列表</translation>
+        </message>
+        <message>
+            <source>more than 1024 lasers</source>
+            <translation>激光器超过 1024 个</translation>
+        </message>
+        <message>
+            <source>up to 128</source>
+            <translation>至多 128 个</translation>
+        </message>
+        <message>
+            <source>a laser has no '%1'</source>
+            <translation>一个激光器没有“%1”</translation>
+        </message>
+        <message>
+            <source>laser_id, rot_correction and vert_correction of each laser</source>
+            <translation>每个激光器的 laser_id、rot_correction 和 vert_correction</translation>
+        </message>
+        <message>
+            <source>the calibration lists no lasers</source>
+            <translation>标定文件没有列出激光器</translation>
+        </message>
+        <message>
+            <source>the YAML of velodyne_pointcloud, or the db.xml of the maker</source>
+            <translation>velodyne_pointcloud 的 YAML，或厂家的 db.xml</translation>
+        </message>
+        <message>
+            <source>num_lasers is %1, the list has %2</source>
+            <translation>num_lasers 为 %1，而列表有 %2 个</translation>
+        </message>
+        <message>
+            <source>as many as the list has</source>
+            <translation>与列表的数目相同</translation>
+        </message>
+        <message>
+            <source>'distance_resolution' is negative</source>
+            <translation>“distance_resolution”为负</translation>
+        </message>
+        <message>
+            <source>metres, such as 0.002</source>
+            <translation>以米计的值，例如 0.002</translation>
+        </message>
+    </context>
+    <context>
         <name>sim</name>
+        <message>
+            <source>recipe field 'plants.diameter_min_mm' is above diameter_max_mm</source>
+            <translation>方案字段“plants.diameter_min_mm”大于 diameter_max_mm</translation>
+        </message>
+        <message>
+            <source>the smaller one first</source>
+            <translation>较小的在前</translation>
+        </message>
         <message>
             <source>scanning the field</source>
             <translation>扫描田块</translation>
@@ -4066,8 +8495,188 @@
             <translation>%1：%2 帧，每帧 %3 s，%4 个回波，%6 行中有 %5 株植株</translation>
         </message>
         <message>
+            <source>recipe '%1': %2 trees do not fit in %3 m x %4 m at a spacing of %5 m</source>
+            <translation>方案“%1”：株距 %5 m 时 %3 m x %4 m 容不下 %2 株树</translation>
+        </message>
+        <message>
+            <source>a plot they fit in</source>
+            <translation>容得下它们的样地</translation>
+        </message>
+        <message>
+            <source>Lower trees.count or layout.min_spacing_m</source>
+            <translation>请减小 trees.count 或 layout.min_spacing_m</translation>
+        </message>
+        <message>
+            <source>recipe '%1': the rows hold %2 plants within the plot</source>
+            <translation>方案“%1”：样地内各行有 %2 株植株</translation>
+        </message>
+        <message>
+            <source>at least %1 (trees.count)</source>
+            <translation>至少 %1 株（trees.count）</translation>
+        </message>
+        <message>
+            <source>Lower trees.count or the spacings</source>
+            <translation>请减小 trees.count 或间距</translation>
+        </message>
+        <message>
+            <source>recipe fields vineyard: %1 rows of %2 m, %3 m apart, in a plot of %4 m</source>
+            <translation>方案字段 vineyard：%4 m 的样地中有 %1 行，每行 %2 m，行距 %3 m</translation>
+        </message>
+        <message>
+            <source>%1 m of headland on each side</source>
+            <translation>每侧 %1 m 的地头</translation>
+        </message>
+        <message>
+            <source>Raise size_m</source>
+            <translation>请增大 size_m</translation>
+        </message>
+        <message>
+            <source>recipe field 'vineyard.canopy_bottom_m' is %1</source>
+            <translation>方案字段“vineyard.canopy_bottom_m”为 %1</translation>
+        </message>
+        <message>
+            <source>less than canopy_top_m, %1</source>
+            <translation>小于 canopy_top_m，即 %1</translation>
+        </message>
+        <message>
+            <source>recipe fields trees.dbh_min_cm %1 and dbh_max_cm %2</source>
+            <translation>方案字段 trees.dbh_min_cm 为 %1，dbh_max_cm 为 %2</translation>
+        </message>
+        <message>
+            <source>recipe field 'trees.dbh_mean_cm' is %1</source>
+            <translation>方案字段“trees.dbh_mean_cm”为 %1</translation>
+        </message>
+        <message>
+            <source>a mean between dbh_min_cm and dbh_max_cm</source>
+            <translation>dbh_min_cm 与 dbh_max_cm 之间的平均值</translation>
+        </message>
+        <message>
+            <source>recipe field 'trees.dbh_sd_cm' is %1</source>
+            <translation>方案字段“trees.dbh_sd_cm”为 %1</translation>
+        </message>
+        <message>
+            <source>a spread that fits between dbh_min_cm and dbh_max_cm</source>
+            <translation>与 dbh_min_cm 至 dbh_max_cm 的范围相称的离散</translation>
+        </message>
+        <message>
+            <source>Lower it, or widen the limits</source>
+            <translation>请减小它，或放宽界限</translation>
+        </message>
+        <message>
+            <source>recipe fields understorey.pole_min_cm %1 and pole_max_cm %2</source>
+            <translation>方案字段 understorey.pole_min_cm 为 %1，pole_max_cm 为 %2</translation>
+        </message>
+        <message>
+            <source>recipe field 'terrain.terrace_riser_m' is %1</source>
+            <translation>方案字段“terrain.terrace_riser_m”为 %1</translation>
+        </message>
+        <message>
+            <source>less than terrace_width_m, %1</source>
+            <translation>小于 terrace_width_m，即 %1</translation>
+        </message>
+        <message>
+            <source>recipe field '%1' is %2</source>
+            <translation>方案字段“%1”为 %2</translation>
+        </message>
+        <message>
+            <source>(whole file)</source>
+            <translation>（整个文件）</translation>
+        </message>
+        <message>
+            <source>a JSON object {...}</source>
+            <translation>JSON 对象 {...}</translation>
+        </message>
+        <message>
+            <source>unknown recipe field '%1'</source>
+            <translation>未知的方案字段“%1”</translation>
+        </message>
+        <message>
+            <source>a field of modules/sim/README.md</source>
+            <translation>modules/sim/README.md 中的字段</translation>
+        </message>
+        <message>
+            <source>Did you mean '%1'?</source>
+            <translation>是否指“%1”？</translation>
+        </message>
+        <message>
+            <source>a list of up to %1</source>
+            <translation>至多 %1 项的列表</translation>
+        </message>
+        <message>
+            <source>rows of positions [x, y] within 1000 m</source>
+            <translation>1000 m 以内的位置 [x, y] 各行</translation>
+        </message>
+        <message>
+            <source>[smallest, largest] from %1 to %2</source>
+            <translation>[smallest, largest]，从 %1 至 %2</translation>
+        </message>
+        <message>
+            <source>there is no recipe '%1' in resources/%2</source>
+            <translation>resources/%2 中没有方案“%1”</translation>
+        </message>
+        <message>
+            <source>one of %1, or the path of a recipe file</source>
+            <translation>下列之一：%1，或方案文件的路径</translation>
+        </message>
+        <message>
+            <source>cannot open the recipe %1</source>
+            <translation>无法打开方案 %1</translation>
+        </message>
+        <message>
+            <source>a readable file</source>
+            <translation>可读的文件</translation>
+        </message>
+        <message>
+            <source>%1 is not valid JSON: %2</source>
+            <translation>%1 不是有效的 JSON：%2</translation>
+        </message>
+        <message>
+            <source>a recipe</source>
+            <translation>模拟方案</translation>
+        </message>
+        <message>
+            <source>cannot open the walk %1</source>
+            <translation>无法打开行走路线 %1</translation>
+        </message>
+        <message>
+            <source>a readable file with one x_m,y_m per line</source>
+            <translation>可读的文件，每行一个 x_m,y_m</translation>
+        </message>
+        <message>
+            <source>%1:%2 is '%3'</source>
+            <translation>%1:%2 为“%3”</translation>
+        </message>
+        <message>
+            <source>x_m,y_m in plot axes, within 200 m</source>
+            <translation>样地坐标轴中的 x_m,y_m，200 m 以内</translation>
+        </message>
+        <message>
+            <source>%1 has more than 10000 way-points</source>
+            <translation>%1 的路点超过 10000 个</translation>
+        </message>
+        <message>
+            <source>fewer</source>
+            <translation>更少</translation>
+        </message>
+        <message>
+            <source>%1 has %2 way-points</source>
+            <translation>%1 有 %2 个路点</translation>
+        </message>
+        <message>
+            <source>cannot write %1</source>
+            <translation>无法写出 %1</translation>
+        </message>
+        <message>
+            <source>a writable folder with free space</source>
+            <translation>可写且有剩余空间的文件夹</translation>
+        </message>
+        <message>
             <source>%1: %2 trees, %3 s of %4, %5 returns</source>
             <translation>%1：%2 株树，%4 的 %3 s，%5 个回波</translation>
+        </message>
+        <message>
+            <source>cannot make the folder %1: %2</source>
+            <translation>无法建立文件夹 %1：%2</translation>
         </message>
         <message>
             <source>growing the plot</source>
@@ -4082,6 +8691,78 @@
             <translation>建立光线追踪</translation>
         </message>
         <message>
+            <source>GDAL has no GeoTIFF driver</source>
+            <translation>GDAL 没有 GeoTIFF 驱动程序</translation>
+        </message>
+        <message>
+            <source>Check the installation of GDAL</source>
+            <translation>请检查 GDAL 的安装</translation>
+        </message>
+        <message>
+            <source>a writable folder</source>
+            <translation>可写的文件夹</translation>
+        </message>
+        <message>
+            <source>free space on the disk</source>
+            <translation>磁盘上的剩余空间</translation>
+        </message>
+        <message>
+            <source>the calibration of the sensor %1 corrects ranges at two distances</source>
+            <translation>传感器 %1 的标定在两个距离上改正测距</translation>
+        </message>
+        <message>
+            <source>a sensor without such a correction: the simulator does not have it</source>
+            <translation>没有这种改正的传感器：模拟器不支持</translation>
+        </message>
+        <message>
+            <source>Embree has no memory for a mesh of %1 triangles</source>
+            <translation>Embree 没有内存存放 %1 个三角形的网格</translation>
+        </message>
+        <message>
+            <source>Use a smaller plot or fewer trees</source>
+            <translation>请使用更小的样地或更少的树</translation>
+        </message>
+        <message>
+            <source>Embree could not start</source>
+            <translation>Embree 无法启动</translation>
+        </message>
+        <message>
+            <source>Embree error %1 while building the scene</source>
+            <translation>建立场景时 Embree 出现错误 %1</translation>
+        </message>
+        <message>
+            <source>Embree has no memory for the seedling</source>
+            <translation>Embree 没有内存存放幼苗</translation>
+        </message>
+        <message>
+            <source>Embree error %1 while building the seedling</source>
+            <translation>建立幼苗时 Embree 出现错误 %1</translation>
+        </message>
+        <message>
+            <source>a folder that can be written to, and space on the disk</source>
+            <translation>可写入的文件夹，以及磁盘空间</translation>
+        </message>
+        <message>
+            <source>recipe field 'pot.soil_below_mm' leaves less than 15 mm of soil</source>
+            <translation>方案字段“pot.soil_below_mm”使土壤不足 15 mm</translation>
+        </message>
+        <message>
+            <source>a deeper pot or more soil</source>
+            <translation>更深的盆或更多的土壤</translation>
+        </message>
+        <message>
+            <source>%1 already holds pictures</source>
+            <translation>%1 中已有图像</translation>
+        </message>
+        <message>
+            <source>a folder without the subfolder color</source>
+            <translation>没有子文件夹 color 的文件夹</translation>
+        </message>
+        <message>
+            <source>Remove it, or choose another folder</source>
+            <translation>请将其移走，或选择其他文件夹</translation>
+        </message>
+        <message>
             <source>lighting the seedling</source>
             <translation>为幼苗布光</translation>
         </message>
@@ -4094,8 +8775,48 @@
             <translation>%1：%2 个视图，高 %3 mm，冠幅 %4 x %5 mm，茎 %6 mm，%7 片叶</translation>
         </message>
         <message>
+            <source>cannot copy %1 to %2: %3</source>
+            <translation>无法将 %1 复制到 %2：%3</translation>
+        </message>
+        <message>
+            <source>a walk of %1 way-points</source>
+            <translation>有 %1 个路点的行走路线</translation>
+        </message>
+        <message>
+            <source>trees leave no free ground to walk on</source>
+            <translation>树木之间没有可以行走的空地</translation>
+        </message>
+        <message>
+            <source>trees block the walk between its way-points</source>
+            <translation>树木挡住了路点之间的行走路线</translation>
+        </message>
+        <message>
+            <source>gaps of at least 0.6 m</source>
+            <translation>至少 0.6 m 的间隙</translation>
+        </message>
+        <message>
+            <source>Use a wider spacing or another walk</source>
+            <translation>请使用更大的间距或其他行走路线</translation>
+        </message>
+        <message>
             <source>scanning: %1 of %2 s</source>
             <translation>扫描：%2 s 中的 %1 s</translation>
+        </message>
+        <message>
+            <source>the recording of the sensor %1 is written as frames, which hold one return</source>
+            <translation>传感器 %1 的记录以帧写出，每帧只含一个回波</translation>
+        </message>
+        <message>
+            <source>dual_return=false, or a sensor with packets of Velodyne, Ouster or Hesai</source>
+            <translation>dual_return=false，或采用 Velodyne、Ouster 或 Hesai 数据包的传感器</translation>
+        </message>
+        <message>
+            <source>a route of %1 points</source>
+            <translation>有 %1 个点的路线</translation>
+        </message>
+        <message>
+            <source>a walk of at least a metre</source>
+            <translation>至少一米的行走路线</translation>
         </message>
     </context>
     <context>
@@ -4592,6 +9313,38 @@
     <context>
         <name>steering</name>
         <message>
+            <source>speeds is '%1': '%2' is no speed</source>
+            <translation>speeds 为“%1”：“%2”不是速度</translation>
+        </message>
+        <message>
+            <source>numbers from 0.1 to 40 km/h</source>
+            <translation>0.1 至 40 km/h 的数</translation>
+        </message>
+        <message>
+            <source>Write for instance "3 5 7"</source>
+            <translation>例如写成“3 5 7”</translation>
+        </message>
+        <message>
+            <source>speeds is empty</source>
+            <translation>speeds 为空</translation>
+        </message>
+        <message>
+            <source>at least one speed in km/h</source>
+            <translation>至少一个以 km/h 计的速度</translation>
+        </message>
+        <message>
+            <source>the tractor left line %1 at %2 km/h: %3 m beside it after %4 s</source>
+            <translation>拖拉机以 %2 km/h 行驶时偏离了导航线 %1：%4 s 后偏离 %3 m</translation>
+        </message>
+        <message>
+            <source>gains that keep it on the line</source>
+            <translation>能使其保持在线上的增益</translation>
+        </message>
+        <message>
+            <source>Lower gain_p or raise preview (stage steering.tune finds both)</source>
+            <translation>请减小 gain_p 或增大 preview（步骤 steering.tune 可求出两者）</translation>
+        </message>
+        <message>
             <source>driving at %1 km/h</source>
             <translation>以 %1 km/h 行驶</translation>
         </message>
@@ -4600,8 +9353,144 @@
             <translation>在 %2 条 %3 m 的线上行驶 %1 次</translation>
         </message>
         <message>
+            <source>A is (%1, %2) and B is (%3, %4)</source>
+            <translation>A 为 (%1, %2)，B 为 (%3, %4)</translation>
+        </message>
+        <message>
+            <source>two places at least 0.1 m apart</source>
+            <translation>相距至少 0.1 m 的两处</translation>
+        </message>
+        <message>
+            <source>A and B have latitude and longitude</source>
+            <translation>A 和 B 给出的是纬度和经度</translation>
+        </message>
+        <message>
+            <source>the table does not hold A and B</source>
+            <translation>表中没有 A 和 B</translation>
+        </message>
+        <message>
+            <source>two rows with x_m and y_m, or a_x_m, a_y_m, b_x_m, b_y_m</source>
+            <translation>含有 x_m 和 y_m 的两行，或 a_x_m, a_y_m, b_x_m, b_y_m</translation>
+        </message>
+        <message>
+            <source>Write one row for A and one for B</source>
+            <translation>请为 A 和 B 各写一行</translation>
+        </message>
+        <message>
+            <source>A and B are the same row</source>
+            <translation>A 和 B 是同一行</translation>
+        </message>
+        <message>
+            <source>a row named A and one named B</source>
+            <translation>名为 A 和名为 B 的各一行</translation>
+        </message>
+        <message>
+            <source>corner %1 of the boundary has no place</source>
+            <translation>边界的角点 %1 没有位置</translation>
+        </message>
+        <message>
+            <source>a boundary of %1 corners</source>
+            <translation>有 %1 个角点的边界</translation>
+        </message>
+        <message>
+            <source>three at the least</source>
+            <translation>至少三个</translation>
+        </message>
+        <message>
+            <source>the boundary crosses itself</source>
+            <translation>边界自相交</translation>
+        </message>
+        <message>
+            <source>corners in their order along the field</source>
+            <translation>沿田块按顺序排列的角点</translation>
+        </message>
+        <message>
+            <source>the boundary encloses no area</source>
+            <translation>边界没有围成面积</translation>
+        </message>
+        <message>
+            <source>corners of a field</source>
+            <translation>田块的角点</translation>
+        </message>
+        <message>
+            <source>the headland could not be computed</source>
+            <translation>无法计算地头</translation>
+        </message>
+        <message>
+            <source>GDAL with GEOS</source>
+            <translation>带 GEOS 的 GDAL</translation>
+        </message>
+        <message>
+            <source>a headland of %1 m covers the whole field</source>
+            <translation>%1 m 的地头覆盖了整个田块</translation>
+        </message>
+        <message>
+            <source>room for a line within it</source>
+            <translation>其中可容纳导航线的空间</translation>
+        </message>
+        <message>
+            <source>Lower headland_passes, or look at the unit of the boundary</source>
+            <translation>请减小 headland_passes，或检查边界的单位</translation>
+        </message>
+        <message>
+            <source>%1 lines over a field of %2 m</source>
+            <translation>%2 m 的田块上有 %1 条线</translation>
+        </message>
+        <message>
+            <source>Look at the units of the boundary and the width</source>
+            <translation>请检查边界的单位和宽度</translation>
+        </message>
+        <message>
+            <source>a line could not be cut at the boundary</source>
+            <translation>无法在边界处截断导航线</translation>
+        </message>
+        <message>
+            <source>no line of %1 m fits into the boundary</source>
+            <translation>边界内容不下 %1 m 的导航线</translation>
+        </message>
+        <message>
+            <source>a field beside A and B</source>
+            <translation>A 和 B 旁的田块</translation>
+        </message>
+        <message>
+            <source>Look at the units of A, B and the boundary, or lower headland_passes and min_length</source>
+            <translation>请检查 A、B 和边界的单位，或减小 headland_passes 和 min_length</translation>
+        </message>
+        <message>
+            <source>A, B and the boundary</source>
+            <translation>A、B 和边界</translation>
+        </message>
+        <message>
             <source>%1 lines, %2 m</source>
             <translation>%1 条线，%2 m</translation>
+        </message>
+        <message>
+            <source>an overlap of %1 m and a width of %2 m</source>
+            <translation>重叠 %1 m，宽度 %2 m</translation>
+        </message>
+        <message>
+            <source>an overlap below the width</source>
+            <translation>小于宽度的重叠</translation>
+        </message>
+        <message>
+            <source>accept is '%1': '%2' is no fix quality</source>
+            <translation>accept 为“%1”：“%2”不是定位质量</translation>
+        </message>
+        <message>
+            <source>digits of GGA sentences, 0 to 9</source>
+            <translation>GGA 语句中的数字，0 至 9</translation>
+        </message>
+        <message>
+            <source>Write for instance "4 5"</source>
+            <translation>例如写成“4 5”</translation>
+        </message>
+        <message>
+            <source>accept is empty</source>
+            <translation>accept 为空</translation>
+        </message>
+        <message>
+            <source>at least one fix quality</source>
+            <translation>至少一种定位质量</translation>
         </message>
         <message>
             <source>, unknown: %1</source>
@@ -4610,6 +9499,18 @@
         <message>
             <source>unknown: %1</source>
             <translation>未知：%1</translation>
+        </message>
+        <message>
+            <source>the track has no %1, but latitude and longitude</source>
+            <translation>轨迹没有 %1，只有纬度和经度</translation>
+        </message>
+        <message>
+            <source>the track has no %1</source>
+            <translation>轨迹没有 %1</translation>
+        </message>
+        <message>
+            <source>positions in metres</source>
+            <translation>以米计的位置</translation>
         </message>
         <message>
             <source>%1 of %2 fixes have a quality that is not accepted and are left out (%3)</source>
@@ -4656,6 +9557,30 @@
             <translation>定位点的精度约为 %1 m：可据以区分各次行程，但不能得知厘米级的转向误差</translation>
         </message>
         <message>
+            <source>none of %1 positions can be used (fix qualities none)</source>
+            <translation>%1 个位置都不能使用（没有定位质量）</translation>
+        </message>
+        <message>
+            <source>none of %1 positions can be used (fix qualities %2)</source>
+            <translation>%1 个位置都不能使用（定位质量 %2）</translation>
+        </message>
+        <message>
+            <source>positions of the qualities %1</source>
+            <translation>质量为 %1 的位置</translation>
+        </message>
+        <message>
+            <source>Change accept, or record with a correction service</source>
+            <translation>请修改 accept，或用差分改正服务重新记录</translation>
+        </message>
+        <message>
+            <source>the lever arm needs a heading, and neither the track nor its motion gives one</source>
+            <translation>杆臂需要航向，而轨迹及其运动都没有给出</translation>
+        </message>
+        <message>
+            <source>heading_deg, course_deg, attitudes, or a drive of some metres</source>
+            <translation>列 heading_deg、course_deg，姿态，或行驶数米</translation>
+        </message>
+        <message>
             <source>the track gives no fix quality: its fixes are taken to be good to %1 cm</source>
             <translation>轨迹没有给出定位质量：视其定位点精度为 %1 cm</translation>
         </message>
@@ -4664,12 +9589,96 @@
             <translation>%1 个定位点，精度 %2 cm；舍去 %3 个</translation>
         </message>
         <message>
+            <source>A, B and the boundary lie in different planes</source>
+            <translation>A、B 和边界在不同的投影平面中</translation>
+        </message>
+        <message>
+            <source>log and lines lie in different planes</source>
+            <translation>日志和导航线在不同的投影平面中</translation>
+        </message>
+        <message>
+            <source>one plane for both</source>
+            <translation>两者采用同一投影平面</translation>
+        </message>
+        <message>
+            <source>Set the same plane and zone for both (stage geo.project)</source>
+            <translation>请为两者设置相同的投影平面和投影带（步骤 geo.project）</translation>
+        </message>
+        <message>
+            <source>the attitudes hold no angle</source>
+            <translation>姿态中没有角度</translation>
+        </message>
+        <message>
+            <source>roll_deg, pitch_deg, heading_deg or yaw_deg</source>
+            <translation>roll_deg、pitch_deg、heading_deg 或 yaw_deg</translation>
+        </message>
+        <message>
+            <source>time_s of the attitudes does not rise at row %1</source>
+            <translation>姿态的 time_s 在第 %1 行没有递增</translation>
+        </message>
+        <message>
+            <source>rising times</source>
+            <translation>递增的时间</translation>
+        </message>
+        <message>
+            <source>the times of the reference fall</source>
+            <translation>参照的时间倒退</translation>
+        </message>
+        <message>
+            <source>rising time_s</source>
+            <translation>递增的 time_s</translation>
+        </message>
+        <message>
+            <source>time_s does not rise at row %1 of the log</source>
+            <translation>日志的 time_s 在第 %1 行没有递增</translation>
+        </message>
+        <message>
+            <source>rising times within a run</source>
+            <translation>在一次行驶内递增的时间</translation>
+        </message>
+        <message>
+            <source>A and B are the same place</source>
+            <translation>A 和 B 在同一处</translation>
+        </message>
+        <message>
+            <source>two points of the line</source>
+            <translation>线上的两个点</translation>
+        </message>
+        <message>
+            <source>run %1 has no straight stretch of %2 m</source>
+            <translation>行驶 %1 没有 %2 m 的直线段</translation>
+        </message>
+        <message>
+            <source>a line to measure against</source>
+            <translation>据以测量的线</translation>
+        </message>
+        <message>
+            <source>Give A and B (lines), or lower min_length</source>
+            <translation>请给出 A 和 B（lines），或减小 min_length</translation>
+        </message>
+        <message>
             <source>passes lie up to %1 m beside the line, and no row width says which line they followed: their errors count from that one line. Set row_width</source>
             <translation>行程偏离导航线达 %1 m，而没有行宽说明它们跟随的是哪条线：其误差以这一条线计。请设置 row_width</translation>
         </message>
         <message>
+            <source>log and lines</source>
+            <translation>日志和导航线</translation>
+        </message>
+        <message>
             <source>measuring passes</source>
             <translation>测量各次行程</translation>
+        </message>
+        <message>
+            <source>none of %1 fixes is on a pass of %2 m along the line</source>
+            <translation>%1 个定位点都不在沿线 %2 m 的行程上</translation>
+        </message>
+        <message>
+            <source>a drive along the line from A to B</source>
+            <translation>沿 A 至 B 的线行驶</translation>
+        </message>
+        <message>
+            <source>Check A and B, or lower run_in and min_length</source>
+            <translation>请检查 A 和 B，或减小 run_in 和 min_length</translation>
         </message>
         <message>
             <source>no reference: errors are measured with the receiver itself, so its own error is unknown (connect 'reference', or a log with ref_x_m and ref_y_m)</source>
@@ -4686,6 +9695,18 @@
         <message>
             <source>preview</source>
             <translation>预瞄</translation>
+        </message>
+        <message>
+            <source>the loop oscillates at %1 km/h with any D up to %2</source>
+            <translation>D 直到 %2 时，回路在 %1 km/h 下仍振荡</translation>
+        </message>
+        <message>
+            <source>a gain that calms it</source>
+            <translation>能使其平稳的增益</translation>
+        </message>
+        <message>
+            <source>Lower first_p or the steering's delay and lag</source>
+            <translation>请减小 first_p，或转向的延迟和滞后</translation>
         </message>
         <message>
             <source>no oscillation up to P = %1, where the search ends</source>

@@ -35,6 +35,7 @@ class FindingPattern {
     return std::ranges::any_of(fixed_, [text](const QString& part) { return part.contains(text); });
   }
   bool is_weak() const { return letters_ < few_letters; }
+  bool has_quotes_around(int place) const { return fixed_[place].endsWith('\'') && fixed_[place + 1].startsWith('\''); }
   // ", trees from %1 cm": what is added to a sentence.
   bool is_a_tail() const { return !fixed_.front().isEmpty() && !fixed_.front().front().isLetterOrNumber(); }
 
@@ -109,7 +110,8 @@ class FindingCatalogue {
   Words found(const QString& english) {
     if (const auto it = whole_.constFind(english); it != whole_.constEnd()) return *it;
     if (const auto it = remembered_.constFind(english); it != remembered_.constEnd()) return *it;
-    Words words = behind_a_name(english);
+    Words words = of_an_error(english);
+    if (!words) words = behind_a_name(english);
     if (!words) words = of_a_pattern(english, false);
     if (!words) words = with_a_tail(english);
     if (!words) words = of_a_pattern(english, true);
@@ -118,9 +120,17 @@ class FindingCatalogue {
     return words;
   }
 
-  // "stems: 17 stems, 3 to check": stages are called by names, files have a dot in theirs.
+  // Errors are made of what was found, what was needed and what to do (base/error.h). They are cut there before tails
+  // are looked for, since "fields x, y and z" has none.
+  Words of_an_error(const QString& english) {
+    if (!english.contains(needed_mark)) return cut_at(". ", QStringLiteral("。"), english, 2);
+    const auto words = of_a_pattern(english, false);
+    return words ? words : cut_at(needed_mark, QStringLiteral("；需要："), english, 1);
+  }
+
+  // "stems: 17 stems, 3 to check": stages are called by names, files have a dot in theirs, or stand in quotes.
   Words behind_a_name(const QString& english) {
-    static const QRegularExpression name("^[\\w-]+: ");
+    static const QRegularExpression name("^(?:[\\w-]+|'[^']*'): ");
     const auto match = name.match(english);
     if (!match.hasMatch()) return {};
     const auto rest = found(english.mid(match.capturedEnd()));
@@ -132,8 +142,9 @@ class FindingCatalogue {
     return english.contains(needed_mark) && !pattern.contains(needed_mark);
   }
 
-  // Short patterns take names, and what is a sentence of the catalogue or a part of one.
-  bool is_known(const FindingPattern& pattern, const QString& inserted, const QString& words) {
+  // Short patterns take names, and what is a sentence of the catalogue or a part of one. In quotes there are names.
+  bool is_known(const FindingPattern& pattern, int place, const QString& inserted, const QString& words) {
+    if (words == inserted && pattern.has_quotes_around(place)) return !inserted.contains('\'');
     if (words == inserted) return words.count(' ') < (pattern.is_weak() ? 1 : max_words_of_a_name);
     const bool in_pieces = inserted.contains(". ") || inserted.contains("; ");
     return !pattern.is_weak() || !in_pieces || whole_.contains(inserted) || of_a_pattern(inserted, false);
@@ -146,7 +157,7 @@ class FindingCatalogue {
       if (const auto inserted = pattern.match(english)) {
         const auto words = all_words(*inserted);
         bool known = true;  // or names and numbers
-        for (int i = 0; i < words.size(); ++i) known &= is_known(pattern, inserted->at(i), words[i]);
+        for (int i = 0; i < words.size(); ++i) known &= is_known(pattern, i, inserted->at(i), words[i]);
         if (known || with_unknown) return pattern.filled(words);
       }
     }
@@ -171,20 +182,23 @@ class FindingCatalogue {
     return {};
   }
 
-  // Errors are made of what was found, what was needed and what to do (base/error.h); some findings of two sentences.
+  // Some findings are made of two sentences.
   Words piece_by_piece(const QString& english) {
-    static const std::array<std::array<QString, 2>, 4> between{{{needed_mark, QStringLiteral("；需要：")},
-                                                                {". ", QStringLiteral("。")},
-                                                                {"; ", QStringLiteral("；")},
-                                                                {": ", QStringLiteral("：")}}};
-    for (const auto& [cut, mark] : between) {
-      const int at = english.indexOf(cut);
-      if (at <= 0) continue;
-      const QString first = english.left(at), second = english.mid(at + cut.size());
-      const auto before = found(first), after = found(second);
-      if (before || after) return before.value_or(first) + mark + after.value_or(second);
-    }
+    static const std::array<std::array<QString, 2>, 3> between{
+        {{". ", QStringLiteral("。")}, {"; ", QStringLiteral("；")}, {": ", QStringLiteral("：")}}};
+    for (const auto& [cut, mark] : between)
+      if (const auto words = cut_at(cut, mark, english, 1)) return words;
     return {};
+  }
+
+  // Where so many of both pieces have words.
+  Words cut_at(const QString& cut, const QString& mark, const QString& english, int with_words) {
+    const int at = english.indexOf(cut);
+    if (at <= 0) return {};
+    const QString first = english.left(at), second = english.mid(at + cut.size());
+    const auto before = found(first), after = found(second);
+    if (int{before.has_value()} + int{after.has_value()} < with_words) return {};
+    return before.value_or(first) + mark + after.value_or(second);
   }
 
   QHash<QString, QString> whole_;

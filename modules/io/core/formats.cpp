@@ -28,8 +28,6 @@ constexpr std::array foreign_files{ForeignFile{"PK\x03\x04"sv, "a compressed arc
                                    ForeignFile{"7z\xBC\xAF"sv, "a compressed archive", "Unpack it first"},
                                    ForeignFile{"\x89HDF"sv, "an HDF5 file", "Export it as LAS or PLY"}};
 
-std::string article(std::string_view noun) { return "a " + std::string(noun); }
-
 const Format* first_match(const Candidate& candidate, bool folder, std::span<const FileContent> among) {
   for (const auto& format : formats())
     if ((format.folder == folder || format.content() == FileContent::views) &&
@@ -39,7 +37,7 @@ const Format* first_match(const Candidate& candidate, bool folder, std::span<con
 }
 
 [[noreturn]] void refuse(Bytes file, const fs::path& name, std::string_view wanted, const std::string& list) {
-  if (file.empty()) throw bad_input("the file is empty", article(wanted));
+  if (file.empty()) throw bad_input("the file is empty", std::string(wanted));
   for (const auto& foreign : foreign_files)
     if (starts_with(file, foreign.magic))
       throw bad_input("this is " + std::string(foreign.name), list, std::string(foreign.remedy));
@@ -61,10 +59,13 @@ std::string joined(const std::vector<std::string>& words) {
 
 }  // namespace
 
-std::string_view content_name(FileContent content) {
-  constexpr std::array names{"scan"sv, "point cloud"sv, "table"sv, "track"sv, "trajectory"sv, "folder of views"sv};
+std::string_view content_with_article(FileContent content) {
+  constexpr std::array names{"a scan"sv,  "a point cloud"sv, "a table"sv,
+                             "a track"sv, "a trajectory"sv,  "a folder of views"sv};
   return names[static_cast<std::size_t>(content)];
 }
+
+std::string_view content_name(FileContent content) { return content_with_article(content).substr(2); }
 
 std::string_view stage_of(FileContent content) {
   constexpr std::array names{"io.read_scan"sv,  "io.read_cloud"sv,      "io.read_table"sv,
@@ -115,7 +116,7 @@ const Format& require_format(const fs::path& path) {
   if (fs::is_directory(path, ignored)) throw bad_input("the folder '" + path.string() + "' holds no frames", list);
   if (!fs::exists(path, ignored)) throw bad_input("there is no file or folder '" + path.string() + "'", list);
   try {
-    refuse(MappedFile(path).bytes(), path, "scan or a point cloud", list);
+    refuse(MappedFile(path).bytes(), path, "a scan or a point cloud", list);
   } catch (const Error& e) {
     throw e.at("'" + path.string() + "'");
   }
@@ -125,9 +126,10 @@ const Format& require_format(FileContent content, Bytes file, const fs::path& na
   const auto* format = find_format(file, name);
   if (format != nullptr && format->content() == content) return *format;
   if (format != nullptr && !file.empty())
-    throw bad_input("this is a " + std::string(content_name(format->content())) + ": " + std::string(format->name),
-                    article(content_name(content)), "Read it with the stage " + std::string(format->stage()));
-  refuse(file, name, content_name(content), format_list(content));
+    throw bad_input(
+        "this is " + std::string(content_with_article(format->content())) + ": " + std::string(format->name),
+        std::string(content_with_article(content)), "Read it with the stage " + std::string(format->stage()));
+  refuse(file, name, content_with_article(content), format_list(content));
 }
 
 const Format& require_format(FileContent content, const fs::path& path) {
@@ -144,7 +146,7 @@ const Format& require_format(FileContent content, const fs::path& path) {
   const auto* format = find_format(path);
   if (format == nullptr) throw bad_input("the folder " + found + " holds no frames", format_list(content));
   if (format->content() != content)
-    throw bad_input(found + " is a " + std::string(format->name), article(content_name(content)),
+    throw bad_input(found + " is a " + std::string(format->name), std::string(content_with_article(content)),
                     "Read it with the stage " + std::string(format->stage()));
   return *format;
 }
@@ -152,7 +154,7 @@ const Format& require_format(FileContent content, const fs::path& path) {
 const Format& format_named(FileContent content, std::string_view name) {
   for (const auto& format : formats())
     if (format.content() == content && format.word() == lower(name)) return format;
-  throw bad_input("there is no format '" + std::string(name) + "' of a " + std::string(content_name(content)),
+  throw bad_input("there is no format '" + std::string(name) + "' of " + std::string(content_with_article(content)),
                   format_list(content));
 }
 
@@ -165,7 +167,7 @@ const Format& written_format(FileContent content, const fs::path& path) {
     endings.insert(endings.end(), format.endings.begin(), format.endings.end());
   }
   throw bad_input(
-      "a " + std::string(content_name(content)) + " cannot be written as '" + path.extension().string() + "'",
+      std::string(content_with_article(content)) + " cannot be written as '" + path.extension().string() + "'",
       joined(endings));
 }
 

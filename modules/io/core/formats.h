@@ -29,8 +29,9 @@ enum class FileContent { scan, cloud, table, track, trajectory, views };
 inline constexpr std::array all_contents{FileContent::scan,  FileContent::cloud,      FileContent::table,
                                          FileContent::track, FileContent::trajectory, FileContent::views};
 
-std::string_view content_name(FileContent content);  // "point cloud"
-std::string_view stage_of(FileContent content);      // "io.read_cloud"
+std::string_view content_name(FileContent content);          // "point cloud"
+std::string_view content_with_article(FileContent content);  // "a point cloud"
+std::string_view stage_of(FileContent content);              // "io.read_cloud"
 
 // How each kind of content is read, and written where `write` is not null.
 struct ScanAccess {

@@ -31,12 +31,13 @@ const json* find(const json& root, const char* key) {
 
 std::vector<double> ouster_numbers(const json& value, const char* key, double limit) {
   std::vector<double> out;
-  const auto refuse = [&](const std::string& found) {
-    throw bad_input("'" + std::string(key) + "' " + found, "a list of numbers up to +-" + std::to_string(limit));
-  };
-  if (!value.is_array() || value.size() > max_lines) refuse("is not a list of at most 256 numbers");
+  const auto name = "'" + std::string(key) + "'";
+  const auto needed = "a list of numbers up to +-" + std::to_string(limit);
+  if (!value.is_array() || value.size() > max_lines)
+    throw bad_input(name + " is not a list of at most 256 numbers", needed);
   for (const auto& v : value) {
-    if (!v.is_number() || !(std::abs(v.get<double>()) <= limit)) refuse("holds " + v.dump().substr(0, 40));
+    if (!v.is_number() || !(std::abs(v.get<double>()) <= limit))
+      throw bad_input(name + " holds " + v.dump().substr(0, 40), needed);
     out.push_back(v.get<double>());
   }
   return out;

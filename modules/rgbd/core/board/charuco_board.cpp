@@ -196,15 +196,14 @@ struct CharucoBoard::Parts {
 };
 
 CharucoBoard::CharucoBoard(const BoardFacts& facts) : parts_(std::make_unique<Parts>()) {
-  const auto say = [&] {
-    return "the board has " + std::to_string(facts.columns) + " x " + std::to_string(facts.rows) + " squares of " +
-           std::to_string(facts.square) + " m with markers of " + std::to_string(facts.marker) + " m";
-  };
+  const auto found = "the board has " + std::to_string(facts.columns) + " x " + std::to_string(facts.rows) +
+                     " squares of " + std::to_string(facts.square) + " m with markers of " +
+                     std::to_string(facts.marker) + " m";
   constexpr int max_squares = 1000;
   if (facts.columns < 2 || facts.rows < 2 || facts.columns > max_squares || facts.rows > max_squares)
-    throw bad_input(say(), "2 to 1000 squares in each direction", "Correct mat.json.");
+    throw bad_input(found, "2 to 1000 squares in each direction", "Correct mat.json.");
   if (!(facts.marker > 0) || !(facts.square > facts.marker) || !(facts.square < 10))
-    throw bad_input(say(), "markers smaller than their squares", "Correct square_mm and marker_mm in mat.json.");
+    throw bad_input(found, "markers smaller than their squares", "Correct square_mm and marker_mm in mat.json.");
   parts_->facts = facts;
   parts_->dictionary = dictionary_of(facts.dictionary);
 }
