@@ -8,12 +8,12 @@
 namespace bole::alignment {
 namespace {
 
-constexpr double shown_share = 0.995;                 // of what was found
-constexpr double most_bins = 60, least_bin_m = 1e-4;  // a chart of a panel's width; finer than coordinates of files
+constexpr double shown_share = 0.995;              // of what was found
+constexpr double max_bins = 60, min_bin_m = 1e-4;  // a chart of a panel's width; finer than coordinates of files
 
 // 1, 2 or 5 times a power of ten.
 double bin_for(double span_m) {
-  const double least = std::max(span_m / most_bins, least_bin_m);
+  const double least = std::max(span_m / max_bins, min_bin_m);
   const double power = std::pow(10, std::floor(std::log10(least) + 1e-9));
   for (const double step : {1.0, 2.0, 5.0})
     if (step * power >= least * (1 - 1e-9)) return step * power;
