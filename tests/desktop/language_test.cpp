@@ -11,6 +11,7 @@
 #include <QTest>
 #include <QTranslator>
 #include <QXmlStreamReader>
+#include <cmath>
 
 #include "document/cell_words.h"
 #include "document/stage_words.h"
@@ -19,6 +20,7 @@
 #include "features/stem_review/stem_review.h"
 #include "io/core/formats.h"
 #include "look/language.h"
+#include "render/beside/distance_bars.h"
 #include "render/charts/cross_section.h"
 #include "render/charts/linked_charts.h"
 #include "render/charts/row_profile.h"
@@ -277,6 +279,23 @@ class LanguageTest : public QObject {
     }
     figures.push_back(render::row_profile({{}, row}, 80, 60));
     figures.push_back(render::plant_distances(row, {}, {}).figure);
+    render::DistanceBars bars;
+    bars.within_m = bars.median_m = 2;
+    figures.push_back(render::distance_histogram(bars, {}));  // of nothing
+    bars.bin_m = 0.1;
+    bars.counts = {20000, 10000};
+    bars.compared = 30011;
+    for (const std::size_t outside : {std::size_t{2}, std::size_t{2000}})
+      for (const auto of : {render::DistanceBars::Of::nearest_point, render::DistanceBars::Of::surface,
+                            render::DistanceBars::Of::height}) {
+        bars.of = of;
+        bars.below = bars.above = bars.unmatched = outside;
+        bars.lo_m = bars.lo95_m = bars.median_m = of == render::DistanceBars::Of::height ? -0.1 : 0;
+        figures.push_back(render::distance_histogram(bars, {}));
+        bars.median_m = bars.hi95_m = of == render::DistanceBars::Of::height ? 0.1 : HUGE_VAL;
+        figures.push_back(render::distance_histogram(bars, {}));
+        bars.hi95_m = 0.1;
+      }
     const Table no_stems = stems.subset({}), no_matches;
     for (const auto& chart : render::linked_charts()) {
       figures.push_back(chart.draw({&stems, &matches}, {}, {}).figure);

@@ -2691,6 +2691,26 @@
             <source>Open a scan or a point cloud first.</source>
             <translation>请先打开扫描数据或点云。</translation>
         </message>
+        <message>
+            <source>Clouds beside the survey</source>
+            <translation>调查数据旁的点云</translation>
+        </message>
+        <message>
+            <source>As the 3-D view shows them: place, colours, opacity, size of points</source>
+            <translation>与三维视图所示相同:位置、颜色、不透明度、点的大小</translation>
+        </message>
+        <message>
+            <source>The 3-D view shows no cloud beside the survey.</source>
+            <translation>三维视图中没有显示调查数据旁的点云。</translation>
+        </message>
+        <message>
+            <source>With %1</source>
+            <translation>包含 %1</translation>
+        </message>
+        <message>
+            <source>Of clouds that are shown from the disk the film has the coarse points.</source>
+            <translation>从磁盘显示的点云在影片中只有粗略的点。</translation>
+        </message>
     </context>
     <context>
         <name>bole::desktop::SectionTool</name>
@@ -3251,12 +3271,12 @@
             <translation>保存…</translation>
         </message>
         <message>
-            <source>by distance</source>
-            <translation>按距离</translation>
+            <source>by distance (unsigned)</source>
+            <translation>按距离 (无符号)</translation>
         </message>
         <message>
-            <source>by height difference</source>
-            <translation>按高差</translation>
+            <source>by height difference (signed)</source>
+            <translation>按高差 (有符号)</translation>
         </message>
         <message>
             <source>A height difference is positive where the cloud is higher</source>
@@ -3301,6 +3321,10 @@
         <message>
             <source>%1 points (%2 %) have nothing within %3 m.</source>
             <translation>%1 个点（%2 %）在 %3 米内没有邻点。</translation>
+        </message>
+        <message>
+            <source>Export histogram…</source>
+            <translation>导出直方图…</translation>
         </message>
     </context>
     <context>
@@ -3839,6 +3863,26 @@
         <message>
             <source>distance (m)</source>
             <translation>距离 (米)</translation>
+        </message>
+        <message>
+            <source>Export the histogram of the distances…</source>
+            <translation>导出距离直方图…</translation>
+        </message>
+        <message>
+            <source>Measure the distances of the cloud first.</source>
+            <translation>请先测量点云的距离。</translation>
+        </message>
+        <message>
+            <source>As PNG, SVG or PDF, of the size that you choose</source>
+            <translation>PNG、SVG 或 PDF,尺寸由您选定</translation>
+        </message>
+        <message>
+            <source>Height differences of %1</source>
+            <translation>%1 的高差</translation>
+        </message>
+        <message>
+            <source>Distances of %1</source>
+            <translation>%1 的距离</translation>
         </message>
     </context>
     <context>

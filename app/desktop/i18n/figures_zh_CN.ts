@@ -199,5 +199,69 @@
             <source>rejected</source>
             <translation>已拒绝</translation>
         </message>
+        <message>
+            <source>Distance (m), unsigned</source>
+            <translation>距离 (m),无符号</translation>
+        </message>
+        <message>
+            <source>Distance from surface (m), unsigned</source>
+            <translation>到表面的距离 (m),无符号</translation>
+        </message>
+        <message>
+            <source>Height difference (m), signed: + is higher</source>
+            <translation>高差 (m),有符号:+ 为更高</translation>
+        </message>
+        <message>
+            <source>Points (%)</source>
+            <translation>点 (%)</translation>
+        </message>
+        <message>
+            <source>median %1 m</source>
+            <translation>中位数 %1 m</translation>
+        </message>
+        <message>
+            <source>median beyond %1 m</source>
+            <translation>中位数超过 %1 m</translation>
+        </message>
+        <message>
+            <source>%1 % below %2 m</source>
+            <translation>%1 % 小于 %2 m</translation>
+        </message>
+        <message>
+            <source>%1 % reach beyond %2 m</source>
+            <translation>%1 % 分位数超过 %2 m</translation>
+        </message>
+        <message>
+            <source>%1 % from %2 to %3 m</source>
+            <translation>%1 % 在 %2 至 %3 m 之间</translation>
+        </message>
+        <message>
+            <source>%1 % below %2 m, not drawn</source>
+            <translation>%1 % 小于 %2 m,未画出</translation>
+        </message>
+        <message>
+            <source>&lt; %1 % below %2 m, not drawn</source>
+            <translation>不足 %1 % 小于 %2 m,未画出</translation>
+        </message>
+        <message>
+            <source>%1 % above %2 m, not drawn</source>
+            <translation>%1 % 大于 %2 m,未画出</translation>
+        </message>
+        <message>
+            <source>&lt; %1 % above %2 m, not drawn</source>
+            <translation>不足 %1 % 大于 %2 m,未画出</translation>
+        </message>
+        <message>
+            <source>%1 % have nothing within %2 m</source>
+            <translation>%1 % 在 %2 m 内没有对应点</translation>
+        </message>
+        <message>
+            <source>&lt; %1 % have nothing within %2 m</source>
+            <translation>不足 %1 % 在 %2 m 内没有对应点</translation>
+        </message>
+        <message>
+            <source>No point has anything within %1 m</source>
+            <translation>在 %1 m 内没有点有对应点</translation>
+        </message>
     </context>
 </TS>

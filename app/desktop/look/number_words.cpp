@@ -8,7 +8,7 @@ namespace bole::desktop {
 
 QString with_its_numbers(const char* context, const QString& english) {
   // The minus of "+-3" is a sign of the text.
-  static const QRegularExpression number("(?<![A-Za-z_])(?:(?<!\\+)-)?\\d+(\\.\\d+)?");
+  static const QRegularExpression number("(?<![A-Za-z_])(?:(?<!\\+)-|\u2212)?\\d+(\\.\\d+)?");
   QString pattern;
   QStringList numbers;
   int end = 0;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "alignment/core/point_tree.h"
+#include "alignment/core/quantile.h"
 #include "alignment/core/thinned_points.h"
 
 namespace bole::alignment {
@@ -32,16 +33,6 @@ Gap gap_of(const PointTree& tree, const Eigen::Vector3f& p, const DifferenceOpti
   return {std::abs(off), off * plane.normal.z()};
 }
 
-// The value that a share of all lies below, those that were not found above all others.
-double quantile(std::vector<float>& found, std::size_t all, double share) {
-  if (all == 0) return std::numeric_limits<double>::quiet_NaN();
-  const auto k = static_cast<std::size_t>(std::ceil(share * static_cast<double>(all))) - 1;
-  if (k >= found.size()) return std::numeric_limits<double>::infinity();
-  const auto at = found.begin() + static_cast<std::ptrdiff_t>(k);
-  std::nth_element(found.begin(), at, found.end());
-  return static_cast<double>(*at);
-}
-
 void summarize(CloudDifference& difference) {
   std::vector<float> found;
   double squares = 0;
@@ -52,8 +43,10 @@ void summarize(CloudDifference& difference) {
     }
   difference.beyond = difference.compared - found.size();
   difference.rms_m = std::sqrt(squares / static_cast<double>(found.size()));
-  difference.median_m = quantile(found, difference.compared, 0.5);
-  difference.p95_m = quantile(found, difference.compared, 0.95);
+  difference.distances = histogram_of_distances(difference.distance_m, difference.compared);
+  difference.rises = histogram_of_rises(difference.rise_m, difference.compared);
+  difference.median_m = difference.distances.median_m;
+  difference.p95_m = difference.distances.hi95_m;
   difference.largest_m = quantile(found, difference.compared, 1);
 }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "alignment/core/distance_histogram.h"
 #include "base/run.h"
 #include "cloud/point_cloud.h"
 
@@ -21,6 +22,7 @@ struct CloudDifference {
   std::size_t beyond = 0;     // of them, those with nothing within max_m
   // Of all compared points; infinite where those beyond decide, NaN without points. rms_m is of those within.
   double median_m = 0, p95_m = 0, largest_m = 0, rms_m = 0;
+  DistanceHistogram distances, rises;  // of distance_m and rise_m
 };
 
 // The two clouds are in the same axes. Throws Error{bad_input} for an empty cloud and a max_m that is not above zero,

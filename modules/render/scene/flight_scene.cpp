@@ -6,7 +6,11 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/error.h"
+#include "render/beside/painted_points.h"
 #include "render/draw/color.h"
 #include "render/draw/shrink.h"
 #include "render/scene/actors.h"
@@ -28,7 +32,8 @@ struct FlightScene::Parts {
   vtkNew<vtkRenderWindow> window;
 };
 
-FlightScene::FlightScene(const MapData& data, const FlightLook& look, const Run& run)
+FlightScene::FlightScene(const MapData& data, const std::vector<BesideCloud>& beside, const FlightLook& look,
+                         const Run& run)
     : parts_(std::make_unique<Parts>()) {
   if (data.points == nullptr || data.points->empty())
     throw bad_input("there are no points to fly through", "a point cloud");
@@ -41,6 +46,7 @@ FlightScene::FlightScene(const MapData& data, const FlightLook& look, const Run&
   const double scale = samples * look.height_px / usual_height_px;
   p.renderer->AddActor(points_actor(*data.points, drawn, coloring_for(*data.points, drawn, look.color), p.origin,
                                     std::max(1.0, look.point_px * scale)));
+  add(beside, scale, run);
   if (look.stems && data.stems != nullptr && data.stems->rows() > 0) {
     const auto shapes = stem_shapes(*data.stems, data.sections);
     p.renderer->AddActor(stems_actor(shapes, p.origin, true));
@@ -56,6 +62,22 @@ FlightScene::FlightScene(const MapData& data, const FlightLook& look, const Run&
 }
 
 FlightScene::~FlightScene() = default;
+
+// A larger cloud has a larger share of the points.
+void FlightScene::add(const std::vector<BesideCloud>& beside, double point_scale, const Run& run) {
+  auto& p = *parts_;
+  double all = 0;
+  for (const auto& cloud : beside) all += static_cast<double>(cloud.points->size());
+  for (const auto& cloud : beside) {
+    const double share = static_cast<double>(cloud.points->size()) / all;
+    const auto drawn = thin_for_drawing(
+        *cloud.points, {}, static_cast<std::size_t>(std::ceil(share * static_cast<double>(p.look.point_budget))), run);
+    if (drawn.empty()) continue;
+    const double size_px = point_scale * (cloud.point_px > 0 ? cloud.point_px : p.look.point_px);
+    p.renderer->AddActor(
+        painted_points_actor(*cloud.points, drawn, cloud.paint, p.origin, std::max(1.0, size_px), cloud.opacity));
+  }
+}
 
 Image FlightScene::frame(const ViewPoint& view) {
   auto& p = *parts_;

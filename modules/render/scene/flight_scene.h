@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "base/run.h"
+#include "render/beside/beside_cloud.h"
 #include "render/draw/canvas.h"
 #include "render/scene/map_figure.h"
 #include "render/scene/view_point.h"
@@ -18,14 +20,14 @@ struct FlightLook {
   bool stems = true;  // fitted stems as solids
   bool walk = false;  // the path of the sensor
   double point_px = 2;
-  std::size_t point_budget = 4'000'000;
+  std::size_t point_budget = 4'000'000;  // of the survey, and of all clouds beside it together
 };
 
 class FlightScene {
  public:
-  // Of `data`: points, stems, sections, trajectory. Draws with the backend in use (offscreen.h), in the thread that
-  // made it. Throws Error{bad_input} without points, Error{cancelled}.
-  FlightScene(const MapData& data, const FlightLook& look, const Run& run);
+  // Of `data`: points, stems, sections, trajectory; and clouds beside them, in the same axes. Draws with the backend in
+  // use (offscreen.h), in the thread that made it. Throws Error{bad_input} without points, Error{cancelled}.
+  FlightScene(const MapData& data, const std::vector<BesideCloud>& beside, const FlightLook& look, const Run& run);
   ~FlightScene();
   FlightScene(const FlightScene&) = delete;
   FlightScene& operator=(const FlightScene&) = delete;
@@ -34,6 +36,7 @@ class FlightScene {
   Image frame(const ViewPoint& view);
 
  private:
+  void add(const std::vector<BesideCloud>& beside, double point_scale, const Run& run);
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

@@ -1,23 +1,14 @@
 #include "render/scene/point_layer.h"
 
-#include <vtkCellArray.h>
-#include <vtkFloatArray.h>
-#include <vtkIdTypeArray.h>
+#include <vtkMapper.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkShaderProperty.h>
-#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <string>
 
+#include "render/beside/painted_points.h"
 #include "render/scene/view_camera.h"
 
 namespace bole::render {
@@ -32,24 +23,6 @@ OctreeView view_of(vtkRenderer* renderer, const Eigen::Vector3d& shift) {
   Eigen::Matrix4d translate = Eigen::Matrix4d::Identity();
   translate.topRightCorner<3, 1>() = shift;
   return {view_matrix(renderer->GetActiveCamera(), aspect) * translate, static_cast<double>(std::max(size[1], 1))};
-}
-
-// Of 16 pixels so many are drawn, by a matrix of Bayer. Points that are blended would be opaque again wherever several
-// lie behind one another, which in a cloud is everywhere.
-constexpr const char* see_through = R"(
-  int bole_x = int(gl_FragCoord.x) & 3, bole_y = int(gl_FragCoord.y) & 3, bole_xy = bole_x ^ bole_y;
-  int bole_bayer = ((bole_xy & 1) << 3) | ((bole_y & 1) << 2) | (((bole_xy >> 1) & 1) << 1) | ((bole_y >> 1) & 1);
-  if (bole_bayer >= %) discard;
-)";
-
-void fade(vtkActor& actor, double opacity) {
-  auto* shader = actor.GetShaderProperty();
-  shader->ClearAllFragmentShaderReplacements();
-  if (opacity >= 1) return;
-  const int drawn = std::clamp(static_cast<int>(std::lround(16 * opacity)), 1, 15);
-  std::string code = see_through;
-  code.replace(code.find('%'), 1, std::to_string(drawn));
-  shader->AddFragmentShaderReplacement("//VTK::Color::Impl", true, "//VTK::Color::Impl" + code, false);
 }
 
 }  // namespace
@@ -104,7 +77,7 @@ void PointLayer::set_point_size(double px) {
 void PointLayer::set_opacity(double opacity) {
   opacity_ = opacity;
   for (auto& [i, tile] : tiles_)
-    if (tile.actor) fade(*tile.actor, opacity);
+    if (tile.actor) let_shine_through(*tile.actor, opacity);
 }
 
 void PointLayer::clear() {
@@ -130,43 +103,8 @@ PointLayer::Tile PointLayer::make_tile(PointSet all) const {
       return !(height >= filter_.height.lo && height <= filter_.height.hi);
     });
   }
-  const auto n = static_cast<vtkIdType>(tile.indices.size());
-  if (n == 0) return tile;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToFloat();
-  points->SetNumberOfPoints(n);
-  auto* coordinates = static_cast<float*>(points->GetVoidPointer(0));
-  const Eigen::Vector3f shift = (cloud.origin - origin_).cast<float>();
-  for (const auto i : tile.indices) {
-    const Eigen::Vector3f p = cloud.positions()[i] + shift;
-    coordinates = std::copy(p.data(), p.data() + 3, coordinates);
-  }
-  vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetNumberOfComponents(3);
-  colors->SetNumberOfTuples(n);
-  paint_points(cloud, tile.indices, paint_, colors->GetPointer(0));
-  vtkNew<vtkIdTypeArray> ids;  // one cell of all points
-  ids->SetNumberOfValues(n);
-  std::iota(ids->GetPointer(0), ids->GetPointer(0) + n, vtkIdType{0});
-  vtkNew<vtkIdTypeArray> offsets;
-  offsets->InsertNextValue(0);
-  offsets->InsertNextValue(n);
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(offsets, ids);
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  data->SetVerts(cells);
-  data->GetPointData()->SetScalars(colors);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data);
-  mapper->SetColorModeToDirectScalars();
-  mapper->SetStatic(1);
-  tile.actor = vtkSmartPointer<vtkActor>::New();
-  tile.actor->SetMapper(mapper);
-  tile.actor->GetProperty()->SetPointSize(static_cast<float>(size_px_));
-  fade(*tile.actor, opacity_);
-  tile.actor->GetProperty()->LightingOff();
-  tile.actor->PickableOff();
+  if (tile.indices.empty()) return tile;
+  tile.actor = painted_points_actor(cloud, tile.indices, paint_, origin_, size_px_, opacity_);
   clip(tile);
   return tile;
 }

@@ -119,7 +119,8 @@ std::vector<render::ViewPoint> flight_of(const FlythroughOptions& options, const
 }
 
 Report write_flythrough(const render::MapData& data, const std::vector<render::ViewPoint>& flight,
-                        const FlythroughOptions& options, const fs::path& folder, const Run& run) {
+                        const FlythroughOptions& options, const fs::path& folder, const Run& run,
+                        const std::vector<render::BesideCloud>& beside) {
   Report report;
   render::FlightLook look;
   look.width_px = options.width;
@@ -131,7 +132,7 @@ Report write_flythrough(const render::MapData& data, const std::vector<render::V
   look.point_px = options.point_size;
   render::use_backend(render::Backend::automatic);
   run.report(0, "points");
-  render::FlightScene scene(data, look, run);
+  render::FlightScene scene(data, beside, look, run);
   const fs::path frames = folder / frame_folder;
   clear_frames(frames);
   for (std::size_t k = 0; k < flight.size(); ++k) {

@@ -2,7 +2,9 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFile>
 #include <QLabel>
+#include <QSignalSpy>
 #include <QTabWidget>
 #include <QTest>
 #include <QTreeWidget>
@@ -10,12 +12,16 @@
 
 #include "clouds_window.h"
 #include "features/clouds/cloud_align.h"
+#include "features/clouds/cloud_difference_page.h"
 #include "features/clouds/cloud_jobs.h"
 #include "features/clouds/cloud_pairs.h"
 #include "features/clouds/cloud_panel.h"
 #include "features/clouds/clouds.h"
+#include "features/figure_export/figure_dialog.h"
 #include "io/core/clouds/cloud_reader.h"
+#include "look/language.h"
 #include "shell/main_window.h"
+#include "views/figure_view.h"
 #include "views/scene_view.h"
 
 namespace bole::desktop {
@@ -214,6 +220,24 @@ class CloudAlignTest : public CloudsWindow {
     QVERIFY(found.largest_m > 0.25 && found.largest_m < 0.28);
     QVERIFY2(text("cloud_distance_said").contains(QString("median %1 m").arg(found.median_m, 0, 'f', 3)),
              qPrintable(text("cloud_distance_said")));
+    // The histogram: every point is in it, and it follows what is coloured.
+    const auto* chart = window_->findChild<FigureView*>("cloud_histogram");
+    QVERIFY(chart->isVisibleTo(chart->parentWidget()) && !chart->empty());
+    const auto bars = distance_bars(*cloud->distances, false), rises = distance_bars(*cloud->distances, true);
+    for (const auto& of : {bars, rises}) {
+      std::size_t sum = of.below + of.above + of.unmatched;
+      for (const auto n : of.counts) sum += n;
+      QCOMPARE(sum, cloud->read->points->size());
+    }
+    QVERIFY(bars.of == render::DistanceBars::Of::nearest_point && rises.of == render::DistanceBars::Of::height);
+    QVERIFY(bars.lo_m == 0 && rises.lo_m < -0.2 && bars.median_m == found.median_m && bars.hi95_m == found.p95_m);
+    window_->findChild<QTabWidget*>("cloud_pages")->setCurrentIndex(3);
+    QTest::qWait(50);
+    const auto drawn_chart = [&] { return window_->findChild<QWidget*>("cloud_histogram")->grab().toImage(); };
+    const QImage of_distances = drawn_chart();
+    QVERIFY(count_of(of_distances, render::mix(render::ink::paper, render::ink::primary, 0.6)) > 100);
+    look_at("histogram_distances");
+    export_histogram("Distances of earlier.ply", "distances.svg");
     QCOMPARE(cloud->color_by, distance_column);
     const auto paint = paint_of(scene().clouds().front(), scene().paint());
     QCOMPARE(paint.range.lo, 0.0);
@@ -234,11 +258,16 @@ class CloudAlignTest : public CloudsWindow {
     QCOMPARE(signed_paint.range.lo, -0.5);
     QCOMPARE(signed_paint.range.hi, 0.5);
     QVERIFY(signed_paint.array == rise_column);
+    QVERIFY(drawn_chart() != of_distances);
+    look_at("histogram_heights");
+    export_histogram("Height differences of earlier.ply", "heights.svg");
     // A place of its own has no distances any more, and the colour of before.
     clouds().place(id, shifted(-0.3, 0, 0));
     QVERIFY(!clouds().find(id)->distances && !clouds().find(id)->read->points->has(distance_column));
     QVERIFY(clouds().find(id)->color_by.empty());
     QVERIFY(!scene().cloud_layers().legend(scene().paint()));
+    QVERIFY(!chart->isVisibleTo(chart->parentWidget()));
+    QVERIFY(!window_->commands().action("clouds.export_histogram")->isEnabled());
   }
 
   void distances_between_two_clouds_end_when_either_moves() {
@@ -263,6 +292,34 @@ class CloudAlignTest : public CloudsWindow {
   }
 
  private:
+  // BOLE_LOOK=FOLDER writes what a person should look at; of the Chinese window only the chart changes its words.
+  void look_at(const QString& name) {
+    const QString to = qEnvironmentVariable("BOLE_LOOK");
+    if (to.isEmpty()) return;
+    for (const QString language : {"zh_CN", "en"}) {
+      install_language(*QCoreApplication::instance(), language);
+      QTest::qWait(100);
+      window_->grab().save(to + "/" + name + "_" + language + ".png");
+    }
+  }
+
+  // By the button of the page, as an SVG whose texts are those of its figure.
+  void export_histogram(const QString& name, const char* file) {
+    window_->commands().trigger("clouds.export_histogram");
+    auto* dialog = window_->findChild<FigureDialog*>();
+    QVERIFY(dialog != nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog->busy(), 20000);
+    QCOMPARE(dialog->findChild<QComboBox*>("figure_name")->currentText(), name);
+    dialog->findChild<QComboBox*>("figure_format")->setCurrentIndex(1);
+    QSignalSpy saved(dialog, &FigureDialog::saved);
+    dialog->save(at(file));
+    QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, 20000);
+    QFile svg(at(file));
+    QVERIFY(svg.open(QIODevice::ReadOnly) && svg.readAll().contains("<svg"));
+    if (const QString to = qEnvironmentVariable("BOLE_LOOK"); !to.isEmpty())
+      dialog->preview().save(to + "/" + file + ".png");
+    delete dialog;
+  }
   QString text(const char* label) {
     auto* found = window_->findChild<QLabel*>(label);
     return found->isVisibleTo(found->parentWidget()) ? found->text() : QString();

@@ -546,6 +546,7 @@ int bole::desktop::run_clouds_test(int argc, char** argv) {
 int main(int argc, char** argv) {
   bole::desktop::TestApplication application(argc, argv);
   if (argc > 1 && QByteArray(argv[1]) == "--align") return bole::desktop::run_cloud_align_test(argc - 1, argv + 1);
+  if (argc > 1 && QByteArray(argv[1]) == "--film") return bole::desktop::run_cloud_film_test(argc - 1, argv + 1);
   return bole::desktop::run_clouds_test(argc, argv) + bole::desktop::run_cloud_files_test(argc, argv);
 }
 #include "clouds_test.moc"

@@ -16,6 +16,7 @@ namespace bole::desktop {
 int run_clouds_test(int argc, char** argv);
 int run_cloud_files_test(int argc, char** argv);
 int run_cloud_align_test(int argc, char** argv);
+int run_cloud_film_test(int argc, char** argv);
 
 inline const Eigen::Vector3d utm(563000, 5412000, 300);
 

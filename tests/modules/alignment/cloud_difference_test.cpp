@@ -35,6 +35,12 @@ TEST(CloudDifference, OfPointsAboveAGridIsTheirHeight) {
   EXPECT_NEAR(d.p95_m, 0.95, 1e-4);
   EXPECT_NEAR(d.largest_m, 1, 1e-4);
   EXPECT_NEAR(d.rms_m, std::sqrt(1001.0 * 2001 / 6) * 0.001, 1e-4);
+  EXPECT_EQ(d.distances.median_m, d.median_m);
+  EXPECT_EQ(d.distances.hi95_m, d.p95_m);
+  EXPECT_EQ(d.distances.compared, 1000u);
+  EXPECT_NEAR(d.rises.median_m, 0, 0.0021);  // as many above as below
+  EXPECT_NEAR(d.rises.lo95_m, -0.95, 0.003);
+  EXPECT_NEAR(d.rises.hi95_m, 0.95, 0.003);
 }
 
 TEST(CloudDifference, IsTheNearestPointOfAll) {

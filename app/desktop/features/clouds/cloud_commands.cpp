@@ -119,6 +119,17 @@ void Clouds::make_align_commands() {
        .enabled_when = free,
        .tip = tr("How far each point of the cloud lies from the nearest point of the survey or of another "
                  "cloud; the points are coloured by it")});
+  commands.add({.id = "clouds.export_histogram",
+                .text = tr("Export the histogram of the distances…"),
+                .places = {in_context("clouds", 1)},
+                .act =
+                    [this, current] {
+                      const auto name = histogram_name(*find(current()), panel_->difference().of_height());
+                      OfferedFigures::of(bench_).export_one(name);
+                    },
+                .enabled_when = {[this, current] { return current() != 0 && find(current())->distances; },
+                                 tr("Measure the distances of the cloud first.")},
+                .tip = tr("As PNG, SVG or PDF, of the size that you choose")});
   commands.add({.id = "clouds.save",
                 .text = tr("Save the cloud as it is shown…"),
                 .places = {in_context("clouds", 1)},

@@ -13,16 +13,66 @@
 #include "features/clouds/cloud_align_page.h"
 #include "features/clouds/cloud_widgets.h"
 #include "features/clouds/clouds.h"
+#include "look/pixels.h"
+#include "views/figure_view.h"
 #include "workbench/workbench.h"
 
 namespace bole::desktop {
+namespace {
+
+constexpr int histogram_px = 190;                   // high
+constexpr double histogram_height_to_width = 0.66;  // of one that is exported
+
+}  // namespace
+
+render::DistanceBars distance_bars(const CloudDistances& distances, bool of_height) {
+  using Of = render::DistanceBars::Of;
+  const auto& histogram = of_height ? distances.found.rises : distances.found.distances;
+  render::DistanceBars bars;
+  bars.of = of_height ? Of::height : distances.options.to_plane ? Of::surface : Of::nearest_point;
+  bars.lo_m = histogram.lo_m;
+  bars.bin_m = histogram.bin_m;
+  bars.counts = histogram.counts;
+  bars.compared = histogram.compared;
+  bars.below = histogram.below;
+  bars.above = histogram.above;
+  bars.unmatched = histogram.unmatched;
+  bars.within_m = distances.options.max_m;
+  bars.median_m = histogram.median_m;
+  bars.lo95_m = histogram.lo95_m;
+  bars.hi95_m = histogram.hi95_m;
+  return bars;
+}
+
+QString histogram_name(const CloudEntry& cloud, bool of_height) {
+  return (of_height ? Clouds::tr("Height differences of %1") : Clouds::tr("Distances of %1")).arg(cloud.name());
+}
+
+// What is exported is English.
+std::vector<OfferedFigure> distance_figures(const std::vector<CloudEntry>& clouds) {
+  std::vector<OfferedFigure> figures;
+  for (const auto& cloud : clouds) {
+    if (!cloud.distances) continue;
+    for (const bool of_height : {false, true}) {
+      auto bars = distance_bars(*cloud.distances, of_height);
+      bars.cloud = cloud.name().toStdString();
+      bars.from = cloud.distances->from == 0 ? "the survey" : cloud.distances->from_name.toStdString();
+      figures.push_back({histogram_name(cloud, of_height), [bars](double width_mm) {
+                           return render::distance_histogram(bars, {width_mm, histogram_height_to_width * width_mm});
+                         }});
+    }
+  }
+  return figures;
+}
 
 CloudDifferencePage::CloudDifferencePage(Clouds& clouds, Workbench& bench)
     : clouds_(clouds),
       from_(new QComboBox),
       show_(new QComboBox),
       surface_(new QCheckBox(tr("From the surface"))),
-      said_(new QLabel) {
+      said_(new QLabel),
+      histogram_(new FigureView({}, this)),
+      export_(new QToolButton) {
   auto* column = new QVBoxLayout(this);
   auto* form = new QFormLayout;
   from_->setObjectName("cloud_distance_from");
@@ -54,8 +104,8 @@ CloudDifferencePage::CloudDifferencePage(Clouds& clouds, Workbench& bench)
   column->addWidget(said_);
   auto* look = new QFormLayout;
   show_->setObjectName("cloud_distance_show");
-  show_->addItem(tr("by distance"), QString::fromStdString(distance_column));
-  show_->addItem(tr("by height difference"), QString::fromStdString(rise_column));
+  show_->addItem(tr("by distance (unsigned)"), QString::fromStdString(distance_column));
+  show_->addItem(tr("by height difference (signed)"), QString::fromStdString(rise_column));
   show_->setToolTip(tr("A height difference is positive where the cloud is higher"));
   up_to_ = cloud_number("cloud_distance_up_to", tr("The last colour stands for this and more"),
                         {0.001, 1000, 0.05, 3, tr(" m")});
@@ -63,6 +113,11 @@ CloudDifferencePage::CloudDifferencePage(Clouds& clouds, Workbench& bench)
   look->addRow(tr("Colour"), show_);
   look->addRow(tr("Colours up to"), up_to_);
   column->addLayout(look);
+  histogram_->setObjectName("cloud_histogram");
+  histogram_->setFixedHeight(histogram_px);
+  column->addWidget(histogram_);
+  put_action(*export_, *bench.commands().action("clouds.export_histogram"), tr("Export histogram…"));
+  column->addWidget(export_, 0, Qt::AlignLeft);
   column->addStretch(1);
   connect(show_, QOverload<int>::of(&QComboBox::activated), this, &CloudDifferencePage::take_look);
   connect(up_to_, number_changed, this, &CloudDifferencePage::take_look);
@@ -80,14 +135,28 @@ void CloudDifferencePage::follow(const CloudEntry* cloud) {
   list_partners(*from_, clouds_, cloud_);
   const auto distances = cloud == nullptr ? nullptr : cloud->distances;
   const bool colored = distances && !cloud->read->on_disk();
-  for (auto* widget : {static_cast<QWidget*>(show_), static_cast<QWidget*>(up_to_)}) widget->setEnabled(colored);
+  show_->setEnabled(distances != nullptr);
+  up_to_->setEnabled(colored);
   said_->setText(distances ? words_of(*distances)
                            : tr("Measured for the places that the clouds have; moving one of them ends it."));
-  if (!distances) return;
-  following_ = true;
-  up_to_->setValue(cloud->color_range_m);
-  show_->setCurrentIndex(cloud->color_by == rise_column ? 1 : 0);
-  following_ = false;
+  if (colored) {
+    following_ = true;
+    up_to_->setValue(cloud->color_range_m);
+    show_->setCurrentIndex(cloud->color_by == rise_column ? 1 : 0);
+    following_ = false;
+  }
+  show_histogram(distances.get());
+}
+
+bool CloudDifferencePage::of_height() const { return show_->currentData().toString().toStdString() == rise_column; }
+
+void CloudDifferencePage::show_histogram(const CloudDistances* distances) {
+  histogram_->setVisible(distances != nullptr);
+  export_->setVisible(distances != nullptr);
+  if (distances == nullptr) return histogram_->show_figure({});
+  histogram_->show_figure([bars = distance_bars(*distances, of_height())](double width_mm) {
+    return render::distance_histogram(bars, {width_mm, histogram_px * mm_per_px});
+  });
 }
 
 QString CloudDifferencePage::words_of(const CloudDistances& distances) const {
@@ -113,6 +182,8 @@ QString CloudDifferencePage::words_of(const CloudDistances& distances) const {
 void CloudDifferencePage::take_look() {
   const auto* cloud = clouds_.find(cloud_);
   if (following_ || cloud == nullptr || !cloud->distances) return;
+  show_histogram(cloud->distances.get());
+  if (cloud->read->on_disk()) return;  // its points have no such colours
   const double up_to_m = typed(*up_to_, cloud->color_range_m);
   const auto column = show_->currentData().toString().toStdString();
   if (cloud->color_by != column) clouds_.paint(cloud_, cloud->color, column, cloud->point_px);

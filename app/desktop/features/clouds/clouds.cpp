@@ -11,6 +11,7 @@
 #include "base/atomic_file.h"
 #include "document/disk_memory.h"
 #include "document/file_kinds.h"
+#include "features/clouds/cloud_difference_page.h"
 #include "features/clouds/cloud_distance.h"
 #include "features/clouds/cloud_file.h"
 #include "features/clouds/cloud_jobs.h"
@@ -95,6 +96,7 @@ Clouds::Clouds(Workbench& bench) : QObject(&bench), bench_(bench) {
   make_commands();
   make_align_commands();
   panel_ = new CloudPanel(*this, bench);
+  OfferedFigures::of(bench_).offer([this] { return distance_figures(list_); });
   connect(&bench_, &Workbench::document_opened, this, &Clouds::load);
   connect(&bench_, &Workbench::document_saved, this, [this] { bench_.guarded([this] { store(); }); });
   connect(&bench_, &Workbench::cloud_dropped, this,

@@ -94,6 +94,10 @@ FigureDialog::~FigureDialog() {
 
 FigureFormat FigureDialog::format() const { return static_cast<FigureFormat>(format_->currentIndex()); }
 
+void FigureDialog::choose(const QString& figure) {
+  if (const int at = figure_->findData(figure); at >= 0) figure_->setCurrentIndex(at);
+}
+
 void FigureDialog::ask_for_preview() { delay_.start(); }
 
 void FigureDialog::in_background(std::function<std::function<void()>(const Run&)> work) {

@@ -25,7 +25,8 @@ class FigureDialog : public QDialog {
   FigureDialog(FigureSource source, QWidget* parent);
   ~FigureDialog() override;  // gives up what is being drawn
 
-  void save(const QString& path);  // draws and writes in the background; then `saved` or `refused`
+  void choose(const QString& figure);  // by its name; one that is not there changes nothing
+  void save(const QString& path);      // draws and writes in the background; then `saved` or `refused`
   bool busy() const { return busy_; }
   const QImage& preview() const { return preview_; }
 

@@ -50,8 +50,9 @@ bool draws_stems(const DataSet& data) { return data.has("stems") && data.table("
 
 }  // namespace
 
-FigureSource::FigureSource(const pipeline::PipelineDocument* document, const Results& results, const Survey& survey)
-    : survey_(survey) {
+FigureSource::FigureSource(const pipeline::PipelineDocument* document, const Results& results, const Survey& survey,
+                           std::vector<OfferedFigure> offered)
+    : survey_(survey), offered_(std::move(offered)) {
   if (const auto* report = report_of(document)) {
     options_ = report->options.as<report::ReportOptions>();
     data_ = inputs_of(*document, *report, results);
@@ -63,6 +64,7 @@ FigureSource::FigureSource(const pipeline::PipelineDocument* document, const Res
     for (const auto& plan : report::survey_figures(data, options_, run)) names_.push_back(plan.name);
   }
   if (survey_.rows && survey_.plants && survey_.lines) names_.push_back(row_map_name);
+  for (const auto& figure : offered_) names_.push_back(figure.name.toStdString());
 }
 
 report::ReportOptions FigureSource::with(double width_mm, double dpi) const {
@@ -81,6 +83,8 @@ std::vector<render::Figure> FigureSource::make(const std::string& name, double w
     return {render::row_map(
         {survey_.rows.get(), survey_.plants.get(), survey_.lines.get(), survey_.strays.get(), north}, width_mm)};
   }
+  for (const auto& figure : offered_)
+    if (figure.name.toStdString() == name) return {figure.make(width_mm)};
   const auto options = with(width_mm, dpi);
   const auto data = report::survey_data(data_);
   const auto plans = report::survey_figures(data, options, run);

@@ -9,6 +9,7 @@
 #include "document/survey.h"
 #include "render/draw/figure.h"
 #include "report/report_options.h"
+#include "workbench/offered_figures.h"
 
 namespace bole::desktop {
 
@@ -16,8 +17,10 @@ enum class FigureFormat { png, svg, pdf };
 
 class FigureSource {
  public:
-  // The inputs and options of the stage report.plot where the document has one that ran, else what the views show.
-  FigureSource(const pipeline::PipelineDocument* document, const Results& results, const Survey& survey);
+  // The inputs and options of the stage report.plot where the document has one that ran, else what the views show; then
+  // what features offer.
+  FigureSource(const pipeline::PipelineDocument* document, const Results& results, const Survey& survey,
+               std::vector<OfferedFigure> offered = {});
 
   const std::vector<std::string>& names() const { return names_; }
   const report::ReportOptions& options() const { return options_; }
@@ -31,6 +34,7 @@ class FigureSource {
   DataSet data_;
   report::ReportOptions options_;
   Survey survey_;
+  std::vector<OfferedFigure> offered_;
   std::vector<std::string> names_;
 };
 

@@ -44,13 +44,26 @@ std::vector<render::ViewPoint> bookmarks_beside(const QString& document) {
   return stops;
 }
 
+std::vector<render::BesideCloud> beside_of(const FilmClouds& clouds) {
+  std::vector<render::BesideCloud> beside;
+  for (const auto& cloud : clouds.list)
+    beside.push_back({cloud.points, paint_of(cloud, clouds.of_survey), cloud.point_px, cloud.opacity});
+  return beside;
+}
+
 bool has_walk(const Survey& survey) { return survey.walk && survey.walk->poses.size() > 1; }
 
 }  // namespace
 
+FilmClouds clouds_in_film(const SceneView& scene) { return {scene.clouds(), scene.paint()}; }
+
 FlythroughDialog::FlythroughDialog(const Survey& survey, std::vector<render::ViewPoint> stops,
-                                   report::FlythroughOptions options, QWidget* parent)
-    : QDialog(parent), survey_(survey), stops_(std::move(stops)), options_(std::move(options)) {
+                                   report::FlythroughOptions options, QWidget* parent, FilmClouds clouds)
+    : QDialog(parent),
+      survey_(survey),
+      stops_(std::move(stops)),
+      clouds_(std::move(clouds)),
+      options_(std::move(options)) {
   setWindowTitle(tr("Flythrough"));
   setObjectName("flythrough_dialog");
   make_form();
@@ -80,12 +93,21 @@ void FlythroughDialog::make_form() {
   for (const auto& size : film_sizes) size_->addItem(QString("%1 × %2").arg(size.width()).arg(size.height()), size);
   stems_ = new QCheckBox(tr("Fitted stems"));
   stems_->setEnabled(survey_.stems != nullptr);
+  beside_ = new QCheckBox(tr("Clouds beside the survey"));
+  beside_->setObjectName("flythrough_clouds");
+  beside_->setEnabled(!clouds_.list.empty());
+  beside_->setChecked(beside_->isEnabled());
+  beside_->setToolTip(beside_->isEnabled() ? tr("As the 3-D view shows them: place, colours, opacity, size of points")
+                                           : tr("The 3-D view shows no cloud beside the survey."));
   video_ = new QCheckBox(tr("Video (MP4)"));
   const bool has_ffmpeg = !report::program_in_path("ffmpeg").empty();
   video_->setEnabled(has_ffmpeg);
   if (!has_ffmpeg) video_->setToolTip(tr("The program ffmpeg is not installed: frames are written as PNG files."));
   what_ = new QLabel;
   what_->setWordWrap(true);
+  with_clouds_ = new QLabel;
+  with_clouds_->setObjectName("flythrough_clouds_said");
+  with_clouds_->setWordWrap(true);
   progress_ = new QProgressBar;
   progress_->setRange(0, film_steps);
   progress_->setVisible(false);
@@ -95,12 +117,14 @@ void FlythroughDialog::make_form() {
   form->addRow(tr("Rate"), rate_);
   form->addRow(tr("Size of a frame"), size_);
   form->addRow(stems_);
+  form->addRow(beside_);
   form->addRow(video_);
   auto* buttons = new QDialogButtonBox;
   start_ = buttons->addButton(tr("Make the film…"), QDialogButtonBox::ActionRole);
   cancel_ = buttons->addButton(QDialogButtonBox::Close);
   auto* column = new QVBoxLayout(this);
   column->addLayout(form);
+  column->addWidget(with_clouds_);
   column->addWidget(what_);
   column->addWidget(progress_);
   column->addWidget(buttons);
@@ -113,6 +137,7 @@ void FlythroughDialog::make_form() {
   for (auto* box : {course_, size_})
     connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &FlythroughDialog::show_what_it_makes);
   connect(seconds_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &FlythroughDialog::show_what_it_makes);
+  connect(beside_, &QCheckBox::toggled, this, &FlythroughDialog::show_what_it_makes);
   connect(rate_, QOverload<int>::of(&QSpinBox::valueChanged), this, &FlythroughDialog::show_what_it_makes);
 }
 
@@ -147,9 +172,25 @@ void FlythroughDialog::show_what_it_makes() {
   const QString missing = along && !has_walk(survey_)   ? tr("The survey has no walk.")
                           : !along && stops_.size() < 2 ? tr("Bookmark two views or more (Ctrl+B).")
                                                         : QString();
+  with_clouds_->setText(words_of_clouds());
+  with_clouds_->setVisible(!with_clouds_->text().isEmpty());
   start_->setEnabled(missing.isEmpty() && !busy_);
   what_->setText(missing.isEmpty() ? tr("%n frame(s) as PNG files", nullptr, static_cast<int>(frames_of(now)))
                                    : missing);
+}
+
+QString FlythroughDialog::words_of_clouds() const {
+  QStringList names;
+  bool coarse = survey_.index && survey_.index->disk();
+  if (beside_->isChecked())
+    for (const auto& cloud : clouds_.list) {
+      names << cloud.name;
+      coarse = coarse || cloud.disk();
+    }
+  QStringList lines;
+  if (!names.isEmpty()) lines << tr("With %1").arg(names.join(", "));
+  if (coarse) lines << tr("Of clouds that are shown from the disk the film has the coarse points.");
+  return lines.join('\n');
 }
 
 void FlythroughDialog::start(const QString& folder) {
@@ -161,7 +202,8 @@ void FlythroughDialog::start(const QString& folder) {
   progress_->setValue(0);
   progress_->setVisible(true);
   worker_ =
-      std::jthread([this, folder, wanted = options(), survey = survey_, stops = stops_](const std::stop_token& stop) {
+      std::jthread([this, folder, wanted = options(), survey = survey_, stops = stops_,
+                    beside = beside_of(beside_->isChecked() ? clouds_ : FilmClouds())](const std::stop_token& stop) {
         Run run;
         run.cancel = stop;
         run.progress = [this, last = -1](double fraction, std::string_view what) mutable {
@@ -184,7 +226,7 @@ void FlythroughDialog::start(const QString& folder) {
           data.sections = survey.sections.get();
           data.trajectory = survey.walk.get();
           const auto flight = report::flight_of(wanted, survey.walk.get(), stops);
-          const auto report = report::write_flythrough(data, flight, wanted, folder.toStdString(), run);
+          const auto report = report::write_flythrough(data, flight, wanted, folder.toStdString(), run, beside);
           said = QString::fromStdString(report.message);
         } catch (const std::exception& e) {
           why = QString::fromUtf8(e.what());
@@ -215,22 +257,23 @@ void FlythroughDialog::reject() {
 
 void install_flythrough(Workbench& bench) {
   auto* b = &bench;
-  bench.commands().add(
-      {.id = "view.flythrough",
-       .text = FlythroughDialog::tr("Flythrough…"),
-       .key = QKeySequence("Ctrl+Shift+F"),
-       .places = {in_menu(Menu::file, film_section), in_context("scene", 2)},
-       .act =
-           [b] {
-             report::FlythroughOptions options;
-             options.color = film_color_of(b->scene().settings().color);
-             options.point_size = b->scene().settings().point_size_px;
-             FlythroughDialog dialog(b->scene().survey(), bookmarks_beside(b->session().path()), options, b);
-             QObject::connect(&dialog, &FlythroughDialog::made, b, [b](const QString& said) { b->say(said); });
-             dialog.exec();
-           },
-       .enabled_when = {[b] { return b->scene().survey().points != nullptr; },
-                        FlythroughDialog::tr("Open a scan or a point cloud first.")}});
+  bench.commands().add({.id = "view.flythrough",
+                        .text = FlythroughDialog::tr("Flythrough…"),
+                        .key = QKeySequence("Ctrl+Shift+F"),
+                        .places = {in_menu(Menu::file, film_section), in_context("scene", 2)},
+                        .act =
+                            [b] {
+                              report::FlythroughOptions options;
+                              options.color = film_color_of(b->scene().settings().color);
+                              options.point_size = b->scene().settings().point_size_px;
+                              FlythroughDialog dialog(b->scene().survey(), bookmarks_beside(b->session().path()),
+                                                      options, b, clouds_in_film(b->scene()));
+                              QObject::connect(&dialog, &FlythroughDialog::made, b,
+                                               [b](const QString& said) { b->say(said); });
+                              dialog.exec();
+                            },
+                        .enabled_when = {[b] { return b->scene().survey().points != nullptr; },
+                                         FlythroughDialog::tr("Open a scan or a point cloud first.")}});
 }
 
 }  // namespace bole::desktop

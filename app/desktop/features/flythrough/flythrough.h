@@ -1,5 +1,5 @@
 // Makes a film of the survey that the 3-D view shows, along the walk or through the bookmarked views: the frames that
-// the stage report.flythrough makes of the same inputs.
+// the stage report.flythrough makes of the same inputs, with the clouds beside the survey where they are wished.
 #pragma once
 
 #include <QDialog>
@@ -8,6 +8,7 @@
 
 #include "document/survey.h"
 #include "report/flight/flythrough.h"
+#include "views/clouds/scene_cloud.h"
 
 class QCheckBox;
 class QComboBox;
@@ -19,13 +20,22 @@ class QSpinBox;
 
 namespace bole::desktop {
 
+class SceneView;
+
+// The clouds that the 3-D view draws beside the survey.
+struct FilmClouds {
+  std::vector<SceneCloud> list;
+  render::PointPaint of_survey;  // whose colours they share where they show the same numbers
+};
+FilmClouds clouds_in_film(const SceneView& scene);
+
 class FlythroughDialog : public QDialog {
   Q_OBJECT
 
  public:
   // `stops`: bookmarked views.
   FlythroughDialog(const Survey& survey, std::vector<render::ViewPoint> stops, report::FlythroughOptions options,
-                   QWidget* parent);
+                   QWidget* parent, FilmClouds clouds = {});
   ~FlythroughDialog() override;  // cancels
 
   void set_options(const report::FlythroughOptions& options);
@@ -42,16 +52,18 @@ class FlythroughDialog : public QDialog {
  private:
   void make_form();
   void show_what_it_makes();
+  QString words_of_clouds() const;  // those that the film shows, and what it lacks of them
   void end(const QString& said, const QString& why);
 
   Survey survey_;
   std::vector<render::ViewPoint> stops_;
+  FilmClouds clouds_;
   report::FlythroughOptions options_;  // what the form does not show of them
   QComboBox *course_, *size_;
   QDoubleSpinBox* seconds_;
   QSpinBox* rate_;
-  QCheckBox *stems_, *video_;
-  QLabel* what_;
+  QCheckBox *stems_, *beside_, *video_;
+  QLabel *what_, *with_clouds_;
   QProgressBar* progress_;
   QPushButton *start_, *cancel_;
   bool busy_ = false;
