@@ -412,8 +412,8 @@ def whole(runs):
 
 def all_runs(arguments, variants, clock):
     """The figures of all runs by rate, plot and variant, and how many runs are missing."""
-    # Seed by seed, so that a call that is cut short has all plots and presets of the first ones.
-    wanted = [(rate, plot, seed, name) for seed in arguments.seeds for plot in arguments.plots for rate in arguments.rate
+    # Seed by seed and rate by rate, so that a call that is cut short has all plots and presets of the first ones.
+    wanted = [(rate, plot, seed, name) for seed in arguments.seeds for rate in arguments.rate for plot in arguments.plots
               for name in variants]
     at = {rate: argparse.Namespace(**{**vars(arguments), "rate": rate}) for rate in arguments.rate}
 
