@@ -280,7 +280,7 @@ def figures(arguments, out, scan):
     return found
 
 
-# What the tables do not need takes a third of the time of a run.
+# No table needs them.
 UNWRITTEN = {"report.cloud": "false", "report.figures": "false", "report.page": "false"}
 
 
