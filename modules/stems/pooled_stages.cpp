@@ -52,12 +52,13 @@ pipeline::StageType pool_stage() {
       "A larger value lets the stems say more."}});
   pipeline::StageType t;
   t.name = "stems.pool_priors";
-  t.version = 4;
+  t.version = 5;
   t.vtk_class = "vtkBolePoolPriors";
   t.title = "Pool the priors";
   t.help =
       "Puts together what stems say in several parts of a cloud: the spread of passes and views that makes the "
-      "evidence of all likeliest, the mean range offset, how much the walk is too short and the middle noise. "
+      "evidence of all likeliest, the mean range offset, how much the walk is too short, the place that stays where it "
+      "is made longer, and the middle noise. "
       "stems.measure takes the row in place of what it "
       "would learn from its own stems.";
   t.source = "Bole";

@@ -46,9 +46,10 @@ pipeline::StageType measure_stage() {
       "ray is fitted, with a beam of finite width and a range offset that all stems share, else the distance from the "
       "surface (model); candidates that rays pass through are rejected. Passes of "
       "the walk that disagree by a centimetre or more are first brought together by the stems, and a walk that the map "
-      "makes too short or too long is corrected. Every point gets the id "
+      "makes too short or too long is made to fit the ranges: points and stems lie where they would if it had its "
+      "length. Every point gets the id "
       "of its tree.";
-  t.version = 10;
+  t.version = 11;
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
   t.inputs = measure_ports();
   t.inputs.push_back(
@@ -67,7 +68,8 @@ pipeline::StageType measure_stage() {
   t.outputs = {{"stems", DataKind::table, "One row per stem.", false, {}},
                {"points", DataKind::cloud, "The cloud with tree ids.", false, {arrays::tree_id, arrays::stem}},
                {"sections", DataKind::table, "Circles by height along each stem.", false, {}},
-               {"rejected", DataKind::table, "Candidates that are no stems, with the reason.", false, {}}};
+               {"rejected", DataKind::table, "Candidates that are no stems, with the reason.", false, {}},
+               {"slice", DataKind::cloud, "The slice, moved with the points where the walk was corrected.", true, {}}};
   t.options = &option_table(static_cast<const MeasureOptions*>(nullptr));
   t.main_numbers = {"stems"};
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
@@ -82,6 +84,9 @@ pipeline::StageType measure_stage() {
     result.outputs.set("stems", stem_table(survey));
     result.outputs.set("sections", section_table(survey));
     result.outputs.set("rejected", rejected_table(survey));
+    if (in.has("slice"))
+      result.outputs.set("slice", survey.walk.share == 0 ? in.cloud("slice")
+                                                         : lengthened(in.cloud("slice"), trajectory, survey.walk, run));
     result.outputs.set("points", std::move(survey.points));
     result.report = std::move(survey.report);
     return result;

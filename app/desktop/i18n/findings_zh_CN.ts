@@ -10100,16 +10100,24 @@
             <translation>model 为“ray”，但没有已知的传感器位置：采用到表面的距离。请给出 sensor_x、sensor_y、sensor_z，或时间和轨迹</translation>
         </message>
         <message>
-            <source>the walk is %1 % too short in the map: stems lie at other places when they are seen from far than from near. Diameters are corrected for it; distances between stems may be wrong by as much. Run SLAM with another preset, or compare with control points</source>
-            <translation>点云中的行走路径偏短 %1 %：从远处看到的单木与从近处看到的位置不同。直径已作相应校正；单木间的距离可能有同样比例的误差。请用另一预设运行 SLAM，或与控制点比较</translation>
+            <source>the walk is %1 % too short in the map: stems lie at other places when they are seen from far than from near. Cloud and stems were made to fit the ranges; the trajectory, the terrain and the targets stay as they were. Run SLAM with another preset, or compare with control points</source>
+            <translation>点云中的行走路径偏短 %1 %：从远处看到的单木与从近处看到的位置不同。点云与单木已按测距作相应校正；轨迹、地形和标靶保持不变。请用另一预设运行 SLAM，或与控制点比较</translation>
+        </message>
+        <message>
+            <source>the walk is %1 % too short in the map of SLAM: %2 cm in 30 m. Cloud and stems were made to fit the ranges; trajectory, terrain and targets were not. Run SLAM with preset=best, or compare with control points</source>
+            <translation>SLAM 点云中的行走路径偏短 %1 %：每 30 m 相差 %2 cm。点云与单木已按测距校正；轨迹、地形和标靶未校正。请以 preset=best 运行 SLAM，或与控制点比较</translation>
         </message>
         <message>
             <source>the walk is %1 % too short in the map, and distances between stems with it: %2 cm in 30 m, and %3 % in values per hectare. Run SLAM with preset=best, or compare with control points</source>
             <translation>点云中的行走路径偏短 %1 %，单木间的距离也随之偏短：每 30 m 相差 %2 cm，每公顷数值相差 %3 %。请以 preset=best 运行 SLAM，或与控制点比较</translation>
         </message>
         <message>
-            <source>the walk is %1 % too long in the map: stems lie at other places when they are seen from far than from near. Diameters are corrected for it; distances between stems may be wrong by as much. Run SLAM with another preset, or compare with control points</source>
-            <translation>点云中的行走路径偏长 %1 %：从远处看到的单木与从近处看到的位置不同。直径已作相应校正；单木间的距离可能有同样比例的误差。请用另一预设运行 SLAM，或与控制点比较</translation>
+            <source>the walk is %1 % too long in the map: stems lie at other places when they are seen from far than from near. Cloud and stems were made to fit the ranges; the trajectory, the terrain and the targets stay as they were. Run SLAM with another preset, or compare with control points</source>
+            <translation>点云中的行走路径偏长 %1 %：从远处看到的单木与从近处看到的位置不同。点云与单木已按测距作相应校正；轨迹、地形和标靶保持不变。请用另一预设运行 SLAM，或与控制点比较</translation>
+        </message>
+        <message>
+            <source>the walk is %1 % too long in the map of SLAM: %2 cm in 30 m. Cloud and stems were made to fit the ranges; trajectory, terrain and targets were not. Run SLAM with preset=best, or compare with control points</source>
+            <translation>SLAM 点云中的行走路径偏长 %1 %：每 30 m 相差 %2 cm。点云与单木已按测距校正；轨迹、地形和标靶未校正。请以 preset=best 运行 SLAM，或与控制点比较</translation>
         </message>
         <message>
             <source>the walk is %1 % too long in the map, and distances between stems with it: %2 cm in 30 m, and %3 % in values per hectare. Run SLAM with preset=best, or compare with control points</source>

@@ -10,6 +10,9 @@ namespace facts {
 inline constexpr FactInfo range_stretch{"range_stretch_pct", "%", -50, 50,
                                         "By how much the cloud lays points too far, as a share of their range: a walk "
                                         "that is too short."};
+inline constexpr FactInfo walk_lengthened{"walk_lengthened_pct", "%", -50, 50,
+                                          "By how much the walk was made longer than in the map that SLAM made: cloud "
+                                          "and stems lie where they would if it had its length."};
 
 }  // namespace facts
 }  // namespace cloud

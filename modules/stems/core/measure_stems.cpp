@@ -12,6 +12,7 @@
 #include <thread>
 #include <utility>
 
+#include "cloud/core/walk_facts.h"
 #include "cloud/large_cloud.h"
 #include "stems/core/detect/ray_test.h"
 #include "stems/core/detect/sensor_positions.h"
@@ -63,7 +64,7 @@ class Survey {
     if (pooled_ == nullptr)
       for (int round = 0; round < max_alignments && align_passes(priors); ++round) priors = search();
     priors.stretch_doubt = stretch_doubt_;
-    if (out_.range_stretch) tell_range_stretch(*out_.range_stretch, taken_out_, out_.report);
+    if (out_.range_stretch) tell_range_stretch(*out_.range_stretch, out_.walk.share, out_.report);
     learn_noise();
     priors.noise_m = noise_m_;
     if (priors.learnt) refit_all(priors);
@@ -127,14 +128,17 @@ class Survey {
   bool take_out_stretch() {
     if (!rays_.has_sensor() || !fits_along_rays(rays_, options_)) return false;
     const auto stretch = pooled_ != nullptr ? pooled_->range_stretch.value_or(RangeStretchPrior{})
-                                            : learn_range_stretch(fitted_, options_, taken_out_);
-    const double more = stretch.mean - taken_out_;
-    const bool moves = std::abs(more) > (taken_out_ == 0 ? min_stretch_to_take_out : still_to_take_out);
+                                            : learn_range_stretch(fitted_, options_, out_.walk.share);
+    const double more = stretch.mean - out_.walk.share;
+    const bool moves = std::abs(more) > (out_.walk.share == 0 ? min_stretch_to_take_out : still_to_take_out);
     if (moves) {
-      if (!points_.has(arrays::sensor_x)) add_sensor_columns(points_, sensor_of_point(), run_);
-      points_ = without_stretch(points_, more, run_), taken_out_ += more;
+      if (out_.walk.share == 0)
+        out_.walk.still =
+            pooled_ != nullptr ? pooled_->still : still_place(stretched_stems(fitted_, options_, points_.origin));
+      if (!has_sensor_columns(points_)) add_sensor_columns(points_, sensor_of_point(), run_);
+      points_ = lengthened(points_, nullptr, {more, out_.walk.still}, run_), out_.walk.share += more;
     }
-    stretch_doubt_ = std::hypot(stretch.sd, stretch.mean - taken_out_);
+    stretch_doubt_ = std::hypot(stretch.sd, stretch.mean - out_.walk.share);
     out_.range_stretch = stretch.mean;
     return moves;
   }
@@ -160,7 +164,7 @@ class Survey {
     if (!priors.learnt || priors.drift.pass_sd_m < min_drift_to_align_m) return false;
     const PassAlignment alignment(pass_sightings(fitted_, priors.drift, options_));
     if (alignment.rms_m() < min_drift_to_align_m / 3) return false;
-    if (!points_.has(arrays::sensor_x) && rays_.has_sensor()) add_sensor_columns(points_, sensor_of_point(), run_);
+    if (!has_sensor_columns(points_) && rays_.has_sensor()) add_sensor_columns(points_, sensor_of_point(), run_);
     points_ = aligned(points_, alignment, run_);
     alignments_.push_back(alignment), moved_m_ = std::hypot(moved_m_, alignment.rms_m());
     if (alignments_.size() == 1) options_.range_bias = std::hypot(options_.range_bias, unknown_once_aligned_m);
@@ -322,7 +326,7 @@ class Survey {
     }
   }
 
-  SensorOf sensor_of_point() const { return sensor_of_points(rays_, points_, trajectory_); }
+  SensorOf sensor_of_point() const { return sensor_of_points(points_, trajectory_); }
 
   void label() {
     run_.report(0.85, "points of each tree");
@@ -338,6 +342,10 @@ class Survey {
     out_.tops = measure_tops(out_.stems, points_, labels, growth, sensor_of_point(), run_, out_.report);
     measure_volumes(out_.stems, breast_height_, run_, out_.report);
     out_.points = input_;
+    if (out_.walk.share != 0) {
+      out_.points = lengthened(input_, trajectory_, out_.walk, run_);
+      set_fact(out_.points.facts, facts::walk_lengthened, 100 * out_.walk.share);
+    }
     out_.points.set_column(arrays::tree_id, std::move(labels.tree_id));
     out_.points.set_column(arrays::stem, std::move(labels.stem));
   }
@@ -361,9 +369,9 @@ class Survey {
   PointCloud points_;  // with the passes brought together
   const PooledPriors* pooled_ = nullptr;
   std::vector<PassAlignment> alignments_;
-  double moved_m_ = 0;                        // by which they were
-  double taken_out_ = 0, stretch_doubt_ = 0;  // of the range stretch: in all; standard deviation of what is left
-  double noise_m_ = 0;                        // scatter of ranges on the bark, middle of the stems; 0: not known
+  double moved_m_ = 0;        // by which they were
+  double stretch_doubt_ = 0;  // standard deviation of the range stretch that is left
+  double noise_m_ = 0;        // scatter of ranges on the bark, middle of the stems; 0: not known
   const Raster& dem_;
   const Trajectory* trajectory_;
   MeasureOptions options_;

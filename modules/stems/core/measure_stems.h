@@ -10,6 +10,7 @@
 #include "cloud/trajectory.h"
 #include "stems/core/fit/fit_stem.h"
 #include "stems/core/shared/pooled_priors.h"
+#include "stems/core/shared/range_stretch.h"
 #include "stems/core/tree/tree_tops.h"
 
 namespace bole::stems {
@@ -25,9 +26,10 @@ struct StemSurvey {
   std::vector<Stem> stems;       // ids from 1, from north to south, west to east where level
   std::vector<TopVerdict> tops;  // by stem
   std::vector<RejectedStem> rejected;
-  PointCloud points;  // input with tree_id and stem
+  PointCloud points;  // input with tree_id and stem, moved as `walk` says
   double breast_height_m = usual_breast_height_m;
   std::optional<double> range_stretch;  // of the cloud as it came, share of the range; nothing without rays
+  WalkStretch walk;                     // what was taken out of it; share 0: nothing
   Report report;
 };
 

@@ -38,6 +38,12 @@ std::optional<std::size_t> row_of(const SurveyCheck& check, const std::string& c
   return std::nullopt;
 }
 
+std::string text_of(const SurveyCheck& check, const std::string& code) {
+  for (const auto& f : check.report.findings)
+    if (f.code == code) return f.text;
+  return "";
+}
+
 TEST(CheckSurvey, AGoodPlotMayBeSigned) {
   for (const std::uint64_t seed : {1, 2, 3, 4}) {
     const auto check = checked(PlotMaker(seed).make());
@@ -155,6 +161,10 @@ TEST(CheckSurvey, AWalkThatIsTooShortIsFound) {
     ASSERT_TRUE(row_of(check, "walk_length")) << all_findings(check);
     EXPECT_EQ(verdict(check), "look");
     EXPECT_NEAR(check.report.metrics.at("length_error").value, -stretch_pct, 1e-9);
+    EXPECT_NE(text_of(check, "walk_length").find("per hectare"), std::string::npos) << all_findings(check);
+    auto corrected = plot;
+    set_fact(corrected.stems.facts, facts::walk_lengthened, stretch_pct);
+    EXPECT_NE(text_of(checked(corrected), "walk_length").find("made to fit"), std::string::npos);
   }
   CheckOptions o;
   o.max_length_error_pct = 0.5;

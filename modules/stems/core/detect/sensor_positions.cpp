@@ -36,15 +36,15 @@ void for_each_point(std::size_t n, const Run& run, F&& f) {
   run.check_cancel();
 }
 
-bool has_sensor_columns(const PointCloud& points) {
-  return points.has(arrays::sensor_x) && points.has(arrays::sensor_y) && points.has(arrays::sensor_z);
-}
-
 bool has_path(const PointCloud& points, const Trajectory* trajectory) {
   return trajectory && trajectory->poses.size() >= 2 && points.has(arrays::time);
 }
 
 }  // namespace
+
+bool has_sensor_columns(const PointCloud& points) {
+  return points.has(arrays::sensor_x) && points.has(arrays::sensor_y) && points.has(arrays::sensor_z);
+}
 
 bool knows_sensor(const PointCloud& points, const Trajectory* trajectory) {
   return has_sensor_columns(points) || has_path(points, trajectory);
@@ -67,15 +67,18 @@ CloudRays rays_of(const PointCloud& points, const Trajectory* trajectory, const 
   return rays;
 }
 
-SensorOf sensor_of_points(const CloudRays& rays, const PointCloud& points, const Trajectory* trajectory) {
-  if (!rays.has_sensor()) return {};
-  return [&rays, &points, trajectory](std::size_t i) -> std::optional<Eigen::Vector3f> {
-    if (rays.sensor_x) {
-      const Eigen::Vector3f s((*rays.sensor_x)[i], (*rays.sensor_y)[i], (*rays.sensor_z)[i]);
+SensorOf sensor_of_points(const PointCloud& points, const Trajectory* trajectory) {
+  if (has_sensor_columns(points)) {
+    const auto &x = points.values<float>(arrays::sensor_x), &y = points.values<float>(arrays::sensor_y),
+               &z = points.values<float>(arrays::sensor_z);
+    return [&x, &y, &z](std::size_t i) -> std::optional<Eigen::Vector3f> {
+      const Eigen::Vector3f s(x[i], y[i], z[i]);
       return s.allFinite() ? std::optional(s) : std::nullopt;
-    }
-    return sensor_at(*trajectory, points.origin, (*rays.time)[i]);
-  };
+    };
+  }
+  if (!has_path(points, trajectory)) return {};
+  const auto& time = points.values<double>(arrays::time);
+  return [&time, trajectory, origin = points.origin](std::size_t i) { return sensor_at(*trajectory, origin, time[i]); };
 }
 
 void add_sensor_columns(PointCloud& points, const SensorOf& sensor_of, const Run& run) {

@@ -10,14 +10,16 @@
 
 namespace bole::stems {
 
+bool has_sensor_columns(const PointCloud& points);  // all three
+
 // `trajectory` may be null.
 bool knows_sensor(const PointCloud& points, const Trajectory* trajectory);
 
 // What the fits read of the cloud. Keeps pointers to its columns. Throws Error{cancelled}.
 CloudRays rays_of(const PointCloud& points, const Trajectory* trajectory, const StemLayer& layer, const Run& run);
 
-// Null when no sensor positions are known. Keeps references to all three.
-SensorOf sensor_of_points(const CloudRays& rays, const PointCloud& points, const Trajectory* trajectory);
+// Null when no sensor positions are known. Keeps references to both.
+SensorOf sensor_of_points(const PointCloud& points, const Trajectory* trajectory);
 
 // Writes the columns sensor_x, sensor_y, sensor_z, NaN where the position is not known, so that they move with the
 // points. Throws Error{cancelled}.

@@ -98,4 +98,12 @@ RangeStretchPrior learn_range_stretch(const std::vector<Stem>& fitted, const Mea
   return mean_range_stretch(evidence);
 }
 
+std::vector<Eigen::Vector2d> stretched_stems(const std::vector<Stem>& fitted, const MeasureOptions& options,
+                                             const Eigen::Vector3d& origin) {
+  std::vector<Eigen::Vector2d> out;
+  for (const auto& s : fitted)
+    if (tells_range_stretch(s) && !objection(s, options)) out.push_back((origin + s.breast_height).head<2>());
+  return out;
+}
+
 }  // namespace bole::stems

@@ -36,4 +36,8 @@ bool tells_range_stretch(const Stem& stem);
 // Of the cloud as it came; `taken_out` of the points that were fitted.
 RangeStretchPrior learn_range_stretch(const std::vector<Stem>& fitted, const MeasureOptions& options, double taken_out);
 
+// Where the stems stand that tell it, coordinates of the map. `origin`: of the cloud.
+std::vector<Eigen::Vector2d> stretched_stems(const std::vector<Stem>& fitted, const MeasureOptions& options,
+                                             const Eigen::Vector3d& origin);
+
 }  // namespace bole::stems

@@ -4,8 +4,10 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
+#include "stems/core/detect/sensor_positions.h"
 #include "stems/core/shared/drawn_mean.h"
 
 namespace bole::stems {
@@ -24,19 +26,36 @@ RangeStretchPrior mean_range_stretch(const std::vector<RangeStretchEvidence>& st
   return {drawn.mean, drawn.sd};
 }
 
-PointCloud without_stretch(const PointCloud& points, double stretch, const Run& run) {
-  const auto &x = points.values<float>(arrays::sensor_x), &y = points.values<float>(arrays::sensor_y);
+Eigen::Vector2d still_place(const std::vector<Eigen::Vector2d>& stems) {
+  Eigen::AlignedBox2d around;
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const auto& at : stems) around.extend(at), sum += at;
+  if (stems.empty() || around.contains(Eigen::Vector2d::Zero())) return Eigen::Vector2d::Zero();
+  return sum / static_cast<double>(stems.size());
+}
+
+PointCloud lengthened(const PointCloud& points, const Trajectory* trajectory, const WalkStretch& walk, const Run& run) {
+  const auto sensor_of = sensor_of_points(points, trajectory);
+  if (!sensor_of) return points;
+  const Eigen::Vector2f still = (walk.still - points.origin.head<2>()).cast<float>();
+  const bool has_columns = has_sensor_columns(points);
+  std::vector<float> x, y;
+  if (has_columns) x = points.values<float>(arrays::sensor_x), y = points.values<float>(arrays::sensor_y);
   auto positions = points.positions();
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions.size(), 1 << 16), [&](const auto& block) {
     if (run.cancelled()) return;
     for (auto i = block.begin(); i != block.end(); ++i) {
-      const Eigen::Vector2f reach = positions[i].template head<2>() - Eigen::Vector2f(x[i], y[i]);
-      if (reach.allFinite()) positions[i].template head<2>() -= static_cast<float>(stretch) * reach;
+      const auto sensor = sensor_of(i);
+      if (!sensor) continue;
+      const Eigen::Vector2f move = static_cast<float>(walk.share) * (sensor->template head<2>() - still);
+      positions[i].template head<2>() += move;
+      if (has_columns) x[i] += move.x(), y[i] += move.y();
     }
   });
   run.check_cancel();
   PointCloud out = points;
   out.set_positions(std::move(positions));
+  if (has_columns) out.set_column(arrays::sensor_x, std::move(x)), out.set_column(arrays::sensor_y, std::move(y));
   return out;
 }
 
@@ -47,8 +66,8 @@ void tell_range_stretch(double stretch, double taken_out, Report& report) {
   report.find(
       Severity::look, is_short ? "walk_too_short" : "walk_too_long",
       fmt::format("the walk is {:.2f} % too {} in the map: stems lie at other places when they are seen from far "
-                  "than from near. Diameters are corrected for it; distances between stems may be wrong by as "
-                  "much. Run SLAM with another preset, or compare with control points",
+                  "than from near. Cloud and stems were made to fit the ranges; the trajectory, the terrain and the "
+                  "targets stay as they were. Run SLAM with another preset, or compare with control points",
                   100 * std::abs(taken_out), is_short ? "short" : "long"));
 }
 

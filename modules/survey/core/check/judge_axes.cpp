@@ -120,6 +120,13 @@ void judge_length(const CheckedMap& map, CheckFindings& out) {
   map.report.metrics["length_error"] = {-*stretch, Unit::percent};
   if (std::abs(*stretch) <= map.options.max_length_error_pct) return;
   const char* is = *stretch > 0 ? "short" : "long";
+  if (fact_number(map.in.stems->facts, facts::walk_lengthened))
+    return out.add(
+        Severity::look, "walk_length",
+        fmt::format("the walk is {:.2f} % too {} in the map of SLAM: {:.1f} cm in 30 m. Cloud and stems were "
+                    "made to fit the ranges; trajectory, terrain and targets were not. Run SLAM with "
+                    "preset=best, or compare with control points",
+                    std::abs(*stretch), is, 30 * std::abs(*stretch)));
   out.add(Severity::look, "walk_length",
           fmt::format("the walk is {:.2f} % too {} in the map, and distances between stems with it: {:.1f} cm in 30 m, "
                       "and {:.1f} % in values per hectare. Run SLAM with preset=best, or compare with control points",
