@@ -46,7 +46,8 @@ class Survey {
          const MeasureOptions& options, const Run& run)
       : input_(points),
         points_(points),
-        dem_(dem),
+        input_dem_(dem),
+        dem_(&dem),
         trajectory_(trajectory),
         options_(options),
         run_(run),
@@ -137,6 +138,7 @@ class Survey {
             pooled_ != nullptr ? pooled_->still : still_place(stretched_stems(fitted_, options_, points_.origin));
       if (!has_sensor_columns(points_)) add_sensor_columns(points_, sensor_of_point(), run_);
       points_ = lengthened(points_, nullptr, {more, out_.walk.still}, run_), out_.walk.share += more;
+      lengthened_dem_ = lengthened(input_dem_, out_.walk), dem_ = &lengthened_dem_;
     }
     stretch_doubt_ = std::hypot(stretch.sd, stretch.mean - out_.walk.share);
     out_.range_stretch = stretch.mean;
@@ -233,7 +235,7 @@ class Survey {
     tried_ += candidates_.size();
     std::vector<StemFitResult> fits(candidates_.size());
     for_each_fit(0.30, 0.60, candidates_.size(), [&](std::size_t i) {
-      fits[i] = fit_stem(candidates_[i], layer_, rays_, dem_, points_.origin, breast_height_, priors, options_, run_);
+      fits[i] = fit_stem(candidates_[i], layer_, rays_, *dem_, points_.origin, breast_height_, priors, options_, run_);
     });
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
       const auto& c = candidates_[i];
@@ -286,7 +288,7 @@ class Survey {
     for_each_fit(0.65, 0.80, fitted_.size() - first, [&](std::size_t i) {
       auto& s = fitted_[first + i];
       if (hopeless(s)) return;
-      auto again = refit_stem(s, layer_, rays_, dem_, points_.origin, breast_height_, priors, options_, run_);
+      auto again = refit_stem(s, layer_, rays_, *dem_, points_.origin, breast_height_, priors, options_, run_);
       if (!again.stem) return;
       again.stem->ray_through = s.ray_through, again.stem->fork_m = s.fork_m;
       s = std::move(*again.stem);
@@ -372,7 +374,9 @@ class Survey {
   double moved_m_ = 0;        // by which they were
   double stretch_doubt_ = 0;  // standard deviation of the range stretch that is left
   double noise_m_ = 0;        // scatter of ranges on the bark, middle of the stems; 0: not known
-  const Raster& dem_;
+  const Raster& input_dem_;
+  Raster lengthened_dem_;
+  const Raster* dem_;  // of the points as they lie
   const Trajectory* trajectory_;
   MeasureOptions options_;
   const Run& run_;

@@ -102,6 +102,15 @@ TEST(RangeStretch, APathSaysWhereThePointsGo) {
   EXPECT_EQ(lengthened(cloud, nullptr, {0.01, {0, 0}}, {}).positions(), cloud.positions());
 }
 
+TEST(RangeStretch, TheTerrainGoesWithTheWalk) {
+  Raster dem;
+  dem.origin = {-10, -10}, dem.cell_m = 0.5, dem.nx = dem.ny = 40;
+  for (int i = 0; i < dem.nx * dem.ny; ++i) dem.values.push_back(0.1F * static_cast<float>(i % dem.nx));
+  const auto moved = lengthened(dem, {0.01, {2, 0}});
+  EXPECT_NEAR(moved.sample(2, 3), dem.sample(2, 3 / 1.01), 1e-6);
+  EXPECT_NEAR(moved.sample(2 + 1.01 * 5, -4.04), dem.sample(7, -4), 1e-6);
+}
+
 TEST(RangeStretch, TheOriginStaysWhereItLiesAmongTheStems) {
   EXPECT_EQ(still_place({{-3, -3}, {5, 4}}), Eigen::Vector2d::Zero());
   EXPECT_EQ(still_place({{600000, 5400000}, {600020, 5400010}}), Eigen::Vector2d(600010, 5400005));

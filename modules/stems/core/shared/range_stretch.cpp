@@ -59,6 +59,12 @@ PointCloud lengthened(const PointCloud& points, const Trajectory* trajectory, co
   return out;
 }
 
+Raster lengthened(Raster dem, const WalkStretch& walk) {
+  dem.origin += walk.share * (dem.origin - walk.still);
+  dem.cell_m *= 1 + walk.share;
+  return dem;
+}
+
 void tell_range_stretch(double stretch, double taken_out, Report& report) {
   report.metrics["range_stretch"] = {100 * stretch, Unit::percent};
   if (taken_out == 0) return;

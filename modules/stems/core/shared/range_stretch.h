@@ -7,6 +7,7 @@
 #include "base/report.h"
 #include "base/run.h"
 #include "cloud/point_cloud.h"
+#include "cloud/raster.h"
 #include "cloud/trajectory.h"
 #include "stems/core/fit/cylinder_fit.h"
 
@@ -31,6 +32,9 @@ Eigen::Vector2d still_place(const std::vector<Eigen::Vector2d>& stems);
 // sensor_x and sensor_y. Ranges stay as they were measured. Without these columns the places come from `trajectory`,
 // which may be null, and the times of the points; points without a sensor stay. Throws Error{cancelled}.
 PointCloud lengthened(const PointCloud& points, const Trajectory* trajectory, const WalkStretch& walk, const Run& run);
+
+// The terrain of such a cloud: the ground was seen from near, and goes with the walk as a whole.
+Raster lengthened(Raster dem, const WalkStretch& walk);
 
 // Metric range_stretch; finding walk_too_short or walk_too_long for what was taken out of the points.
 void tell_range_stretch(double stretch, double taken_out, Report& report);
