@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "cloud/core/regions/point_edits.h"
 #include "cloud/known_facts.h"
 #include "io/core/clouds/cloud_bounds.h"
 #include "io/core/clouds/cloud_writer.h"
@@ -76,6 +77,15 @@ void write_stem_layer(const std::filesystem::path& path, const Table& stems, con
   io::write_geopackage(path, {io::point_layer("stems", stems, crs)});
 }
 
+// What is selected in the core, so that the tiles add up, and what became of it in this one.
+void write_edits(const DataSet& inputs, const io::CloudBounds& core, const Run& run, ReportWriter& writer) {
+  const auto edits = inputs.has("point_edits") ? point_edits_in(inputs.table("point_edits")) : std::vector<PointEdit>();
+  if (edits.empty()) return;
+  auto table = point_edit_table(edits, points_in(inputs.cloud("points"), core, run), run);
+  for (const char* name : {"applied", "tree_id"}) table.set(name, inputs.table("given").integers(name));
+  writer.write("point_edits.csv", [&](const auto& path) { io::write_table(path, table, io::table_decimals()); });
+}
+
 }  // namespace
 
 pipeline::StageResult write_tile_report(const DataSet& inputs, const TileReportOptions& o, const Run& run) {
@@ -89,6 +99,7 @@ pipeline::StageResult write_tile_report(const DataSet& inputs, const TileReportO
   for (const auto* name : {"evidence", "priors"})
     if (inputs.has(name))
       writer.write(fmt::format("{}.csv", name), [&](const auto& path) { io::write_table(path, inputs.table(name)); });
+  if (inputs.has("given")) write_edits(inputs, core, run, writer);
   if (inputs.has("stems") && inputs.table("stems").rows() > 0)
     writer.write("plot.gpkg", [&](const auto& path) { write_stem_layer(path, inputs.table("stems"), inputs); });
   if (inputs.has("dem")) {
@@ -120,6 +131,8 @@ pipeline::StageType tile_report_stage() {
                  {"rejected", DataKind::table, "Candidates that are no stems.", true, {}},
                  {"evidence", DataKind::table, "Evidence of the stems, to be pooled.", true, {}},
                  {"priors", DataKind::table, "Pooled priors.", true, {}},
+                 {"point_edits", DataKind::table, "Points that a person gave, from survey.edit_points.", true, {}},
+                 {"given", DataKind::table, "What became of them, from stems.measure.", true, {}},
                  {"dem", DataKind::raster, "Terrain model.", true, {}},
                  {"points", DataKind::cloud, "Points of the tile.", true, {}}};
   type.options = &option_table(static_cast<const TileReportOptions*>(nullptr));

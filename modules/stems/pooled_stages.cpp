@@ -15,7 +15,7 @@ struct PoolOptions {
 pipeline::StageType evidence_stage() {
   pipeline::StageType t;
   t.name = "stems.evidence";
-  t.version = 4;
+  t.version = 5;
   t.vtk_class = "vtkBoleStemEvidence";
   t.title = "Evidence of the stems";
   t.help =
@@ -25,12 +25,20 @@ pipeline::StageType evidence_stage() {
       "Run it on parts of a cloud, and pool the rows of all parts with stems.pool_priors.";
   t.source = "Bole";
   t.inputs = measure_ports();
+  t.inputs.push_back(
+      {"point_edits",
+       DataKind::table,
+       "Points that a person gave to the ground or to noise, from survey.edit_points: no part of a stem.",
+       true,
+       {}});
   t.outputs = {{"evidence", DataKind::table, "A row per stem, at its position.", false, {}}};
   t.options = &option_table(static_cast<const MeasureOptions*>(nullptr));
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
     const Trajectory* trajectory = in.has("trajectory") ? &in.trajectory("trajectory") : nullptr;
+    std::vector<PointEdit> given;
+    if (in.has("point_edits")) given = point_edits_in(in.table("point_edits"));
     const auto stems = stem_evidence(in.cloud("points"), breast_height_of(in), in.raster("dem"), trajectory,
-                                     options.as<MeasureOptions>(), run);
+                                     options.as<MeasureOptions>(), run, given);
     pipeline::StageResult result;
     result.report.counts["stems"] = static_cast<std::int64_t>(stems.size());
     result.report.message = fmt::format("evidence of {} stems", stems.size());

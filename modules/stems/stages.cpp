@@ -49,7 +49,7 @@ pipeline::StageType measure_stage() {
       "makes too short or too long is made to fit the ranges: points and stems lie where they would if it had its "
       "length. Every point gets the id "
       "of its tree.";
-  t.version = 11;
+  t.version = 12;
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
   t.inputs = measure_ports();
   t.inputs.push_back(
@@ -69,7 +69,12 @@ pipeline::StageType measure_stage() {
                {"points", DataKind::cloud, "The cloud with tree ids.", false, {arrays::tree_id, arrays::stem}},
                {"sections", DataKind::table, "Circles by height along each stem.", false, {}},
                {"rejected", DataKind::table, "Candidates that are no stems, with the reason.", false, {}},
-               {"slice", DataKind::cloud, "The slice, moved with the points where the walk was corrected.", true, {}}};
+               {"slice", DataKind::cloud, "The slice, moved with the points where the walk was corrected.", true, {}},
+               {"given",
+                DataKind::table,
+                "What became of the points that a person gave: edit, applied, tree_id, points.",
+                true,
+                {}}};
   t.options = &option_table(static_cast<const MeasureOptions*>(nullptr));
   t.main_numbers = {"stems"};
   t.run = [](const DataSet& in, const OptionSet& options, const Run& run) {
@@ -84,6 +89,7 @@ pipeline::StageType measure_stage() {
     result.outputs.set("stems", stem_table(survey));
     result.outputs.set("sections", section_table(survey));
     result.outputs.set("rejected", rejected_table(survey));
+    if (in.has("point_edits")) result.outputs.set("given", given_table(survey, given));
     if (in.has("slice"))
       result.outputs.set("slice", survey.walk.share == 0 ? in.cloud("slice")
                                                          : lengthened(in.cloud("slice"), trajectory, survey.walk, run));

@@ -31,35 +31,56 @@ def rows_of(path):
         return list(csv.DictReader(file))
 
 
+def whole(folder, name, *settings):
+    """The folder with the results of the cloud as one."""
+    words = [BOLE, "run", ENGINE.parents[1] / "pipelines" / "stem_map_from_cloud.json", "--out", folder / name, "--no-cache"]
+    for setting in (f"scan.file={folder / 'forest.las'}", "report.figures=false", "report.cloud=false", *settings):
+        words += ["--set", setting]
+    done = subprocess.run(words, capture_output=True, text=True, timeout=400)
+    if done.returncode != DONE:
+        raise RuntimeError(done.stdout + done.stderr)
+    return folder / name
+
+
 @functools.lru_cache(maxsize=1)
 def forest():
     """(folder, cloud, stems of the whole), made once."""
     place = tempfile.TemporaryDirectory(prefix="bole_forest_")
     folder = pathlib.Path(place.name)
     small_forest.write_forest(folder / "forest.las", on_seams=SEAMS, gap_m=3.5)
-    done = subprocess.run([BOLE, "run", ENGINE.parents[1] / "pipelines" / "stem_map_from_cloud.json", "--set", f"scan.file={folder / 'forest.las'}", "--set", "report.figures=false",
-                           "--set", "report.cloud=false", "--out", folder / "whole", "--no-cache"], capture_output=True, text=True, timeout=400)
-    if done.returncode != DONE:
-        raise RuntimeError(done.stdout + done.stderr)
-    return place, folder / "forest.las", rows_of(folder / "whole" / "stems.csv")
+    return place, folder / "forest.las", rows_of(whole(folder, "whole") / "stems.csv")
+
+
+def edit(action, x, y, above_ground_m, size_m, **more):
+    z = small_forest.ground_z(x, y) + above_ground_m
+    return {"action": action, "centre": [EAST + x, NORTH + y, z], "size_m": size_m, "author": "A. Smith", "reason": f"{action} at {x:g}", **more}
+
+
+EAST, NORTH = 500000.0, 5400000.0
+# Tops that are no part of a tree, by two actions, a top that is given to its own tree and to one that is not there, and nothing at all.
+EDITS = [edit("to_no_tree", 16, 10, 13, [5, 5, 4]), edit("to_noise", 30, 10, 13, [5, 5, 5]), edit("to_tree", 7, 32, 12, [3, 3, 2], tree=[EAST + 7, NORTH + 32]),
+         edit("to_tree", 7, 32, 12, [3, 3, 2], tree=[EAST + 7, NORTH + 700]), edit("to_noise", 20, 20, 60, [2, 2, 2])]
 
 
 class Tiles(Toy):
     def tiled(self, **more):
         self.document({"pipeline": "stem_map_from_cloud", "cloud": str(forest()[1]), "tile_m": TILE_M, "buffer_m": 10, **more})
 
-    def expect_whole(self, tiled):
+    def expect_whole(self, tiled, rows=None):
         """Each stem of the whole once, within the tolerances."""
-        whole = forest()[2]
-        self.assertGreater(len(whole), 40)
-        self.assertEqual(len(tiled), len(whole))
+        rows = rows or forest()[2]
+        self.assertGreater(len(rows), 40)
+        self.assertEqual(len(tiled), len(rows))
         left = [(float(r["x_m"]), float(r["y_m"]), float(r["dbh_cm"])) for r in tiled]
-        for row in whole:
+        for row in rows:
             x, y, d = (float(row[n]) for n in ("x_m", "y_m", "dbh_cm"))
             near = min(left, key=lambda s: (s[0] - x) ** 2 + (s[1] - y) ** 2)
             self.assertLess(max(abs(near[0] - x), abs(near[1] - y)), POSITION_M, row)
             self.assertLess(abs(near[2] - d), DIAMETER_CM, row)
             left.remove(near)
+
+    def heights(self, rows):
+        return {(round(float(r["x_m"]), 1), round(float(r["y_m"]), 1)): float(r["height_lower_bound_m"]) for r in rows}
 
     def test_tiles_give_the_stems_of_the_whole(self):
         self.tiled()
@@ -84,6 +105,32 @@ class Tiles(Toy):
         self.tiled(set={"stems.min_dbh": 4.9})
         self.run_all(*LOCAL)
         self.assertEqual(self.begun()[0]["cut"], 1)
+
+    def test_points_given_by_hand_count_as_in_the_whole(self):
+        self.write("edits.json", json.dumps(EDITS))
+        single = whole(forest()[1].parent, "edited", f"points.file={self.folder / 'edits.json'}")
+        self.tiled(set={"points.file": "edits.json"}, cloud_files=False)
+        told = self.run_all(*LOCAL)
+        rows = rows_of(single / "stems.csv")
+        self.expect_whole(self.merged(), rows)
+        ours, theirs, unedited = self.heights(self.merged()), self.heights(rows), self.heights(forest()[2])
+        self.assertEqual({place for place, height in theirs.items() if abs(height - unedited[place]) > 1}, {(500016.0, 5400010.0), (500030.0, 5400010.0)})
+        for place, height in theirs.items():
+            self.assertAlmostEqual(ours[place], height, delta=0.02, msg=place)
+        edits = rows_of(self.out / "point_edits.csv")
+        self.assertEqual([(r["action"], r["outcome"]) for r in edits], [(r["action"], r["outcome"]) for r in rows_of(single / "edits.csv")])
+        self.assertEqual([r["outcome"] for r in edits], ["applied", "applied", "applied", "conflict", "conflict"])
+        self.assertIn("edit 4 of points (to_tree) is not applied", told)
+        self.assertIn("no point lies in its selection", edits[4]["message"])
+        at = min(self.merged(), key=lambda r: abs(float(r["x_m"]) - EAST - 7) + abs(float(r["y_m"]) - NORTH - 32))
+        self.assertEqual((edits[2]["tree_id"], edits[2]["author"]), (at["tree_id"], "A. Smith"))
+        # An edit that is taken back measures anew what it reaches, and nothing else.
+        begun = self.begun()[0]
+        self.write("edits.json", json.dumps(EDITS[:2] + EDITS[3:]))
+        self.run_all(*LOCAL)
+        again = {name for name, n in self.begun()[0].items() if n > begun.get(name, 0) and name.endswith(".ground")}
+        self.assertTrue(again, "nothing ran anew")
+        self.assertLess(len(again), sum(name.endswith(".ground") for name in begun))
 
     def test_the_grid_may_lie_anywhere(self):
         self.tiled(shift_m=[TILE_M / 2, TILE_M / 2], cloud_files=False)
@@ -132,11 +179,12 @@ class Documents(Toy):
         self.refused({**good, "pipeline": "forest_plot"}, "no single stage io.read_cloud")
         self.refused({**good, "set": {"scan.bounds": "0,0,1,1"}}, "scan.bounds", "The tiles decide")
         self.refused({**good, "set": {"plot.width": 20}}, "plot.width", "not run in tiles")
-        self.refused({**good, "set": {"points.file": "edits.json"}}, "points.file", "not run in tiles")
+        self.refused({**good, "set": {"points.file": "absent.json"}}, "edits of points", "absent.json")
+        self.refused({**good, "set": {"points.edits": "{}"}}, "edits of points", "no list of edits")
         pipeline = json.loads((ENGINE.parents[1] / "pipelines" / "stem_map_from_cloud.json").read_text())
-        next(stage for stage in pipeline["stages"] if stage["id"] == "points")["options"] = {"edits": [{"action": "to_noise", "centre": [1, 2, 3], "size_m": [1, 1, 1]}]}
-        self.write("edited.json", json.dumps(pipeline))
-        self.refused({**good, "pipeline": "edited.json"}, "edits of points", "not applied in tiles")
+        next(stage for stage in pipeline["stages"] if stage["id"] == "points")["options"] = {"file": "half.json"}
+        self.write("edited.json", json.dumps(pipeline)), self.write("half.json", '[{"action":')
+        self.refused({**good, "pipeline": "edited.json"}, "half.json", "no JSON")
         self.document(good)
         self.assertIn("no LAS, LAZ or COPC file", self.run_all(*LOCAL, expect=BAD_INPUT))
 

@@ -7,7 +7,7 @@
     DIR/tasks/ID/attempts.jsonl       every attempt: its begin and its end
     DIR/tasks/ID/lock, DIR/lock       held while an attempt, or a client, is at work
     DIR/runs.jsonl                    every run of the client that came to its end: what it took (costs.py)
-    DIR/stems.csv, campaign.gpkg, campaign.html
+    DIR/stems.csv, campaign.gpkg, campaign.html, point_edits.csv (of tiles, where there are any)
 """
 
 import contextlib
@@ -123,3 +123,16 @@ def attempts_of(folder):
 def note_attempt(folder, **entry):
     with open(pathlib.Path(folder) / "attempts.jsonl", "a", encoding="utf-8") as file:
         file.write(json.dumps(entry) + "\n")
+
+
+def write_text(path, text):
+    """In one step, and only where it is new: a file that is the same is not read again."""
+    try:
+        if path.read_text(encoding="utf-8") == text:
+            return
+    except OSError:
+        pass
+    path.parent.mkdir(parents=True, exist_ok=True)
+    draft = path.with_name(f".{path.name}.{os.getpid()}")
+    draft.write_text(text, encoding="utf-8")
+    os.replace(draft, path)

@@ -11,7 +11,7 @@ import io
 import os
 import shutil
 
-from . import geopackage, merging, page, tile_terrain
+from . import folders, geopackage, merging, page, tile_edits, tile_terrain
 from .folders import task_folder
 
 MATCH_M = 0.3  # or the diameter, whichever is more
@@ -115,7 +115,7 @@ def number_trees(plan):
     best, plan.numbered = owned_stems(plan)
     for name, numbers in plan.numbered.items():
         lines = "".join(f"{tree_id},{number}\n" for tree_id, number in sorted(numbers.items()))
-        tile_terrain.write_text(plan.joined(f"numbers_{name}.csv"), "tree_id,number\n" + lines)
+        folders.write_text(plan.joined(f"numbers_{name}.csv"), "tree_id,number\n" + lines)
     return best
 
 
@@ -130,7 +130,7 @@ def write_stems(plan, best):
     for number, m in enumerate(best, 1):
         cells = {**m.row, "input_id": m.tile["name"], "tree_id": number, "tree_id_in_tile": m.tree_id}
         writer.writerow([cells.get(name, "") for name in heading])
-    tile_terrain.write_text(plan.out / "stems.csv", text.getvalue())
+    folders.write_text(plan.out / "stems.csv", text.getvalue())
 
 
 def stem_layers(plan, best, notes):
@@ -174,6 +174,7 @@ def merge(plan, ledger=None):
     rows, notes = plan.rows(), []
     best = number_trees(plan)
     write_stems(plan, best)
+    notes += tile_edits.merge(plan, [tile for tile in plan.tiles() if tile["name"] in plan.numbered])
     counts = collections.Counter(m.tile["name"] for m in best)
     for row in rows:
         row["stems"] = counts.get(row["input_id"], 0) if row["input_id"] in plan.numbered else None

@@ -11,7 +11,7 @@ import collections
 import csv
 import pathlib
 
-from . import folders, keys, planning, tile_states, tile_terrain
+from . import folders, keys, planning, tile_edits, tile_states, tile_terrain
 from .errors import bad_input
 from .memory import GIB, declared_gib
 from .tiled_document import NUMBERS, PRIORS, RESULTS, TERRAIN
@@ -22,7 +22,7 @@ OF_TILES = ("ground", "stems", "label")
 CUT_GIB, BASE_GIB = 1.2, 0.5
 BYTES_PER_POINT = {"ground": 330.0, "stems": 400.0, "label": 150.0}
 TERRAIN_MARGIN = 4  # cells read beyond the buffer: slopes and borders need neighbours
-INFO = ("title", "tables", "retries", "cache", "accept_partial", "time_limit_s", "threads", "memory_gib", "files", "tile_m", "buffer_m", "shift_m", "cloud_files", "breast_height", "settings", "setting_files", "id_of")
+INFO = ("title", "tables", "retries", "cache", "accept_partial", "time_limit_s", "threads", "memory_gib", "files", "tile_m", "buffer_m", "shift_m", "cloud_files", "breast_height", "settings", "setting_files", "edits", "id_of")
 
 
 def box_text(box, margin=0.0):
@@ -81,7 +81,8 @@ class TilePlan(planning.Plan):
         scan = f"{self.info['id_of']['io.read_cloud']}.file"
         file = str(self.done("cut") / "tiles" / tile["file"])
         core = {f"{RESULTS}.core": box_text(tile["core"])}
-        return {**self.info["settings"], scan: file, **core}, {**self.info["setting_files"], scan: [file]}
+        edits, edit_files = tile_edits.settings_of(self, tile)
+        return {**self.info["settings"], scan: file, **core, **edits}, {**self.info["setting_files"], scan: [file], **edit_files}
 
     def _gib(self, phase, tile):
         given = sum(declared_gib({"memory_gib": None, "files": {name: paths}}, self.info["program"]) - BASE_GIB for name, paths in self.info["setting_files"].items())
@@ -134,6 +135,10 @@ class TilePlan(planning.Plan):
             self._read = (stamp, self._tiles_in(table))
         return self._read[1]
 
+    def edits(self):
+        """Of points, in the order of the document."""
+        return self.info.get("edits", [])
+
     def tile(self, name):
         return next((t for t in self.tiles() if t["name"] == name), None)
 
@@ -156,6 +161,8 @@ class TilePlan(planning.Plan):
         if not self.is_current(self.tasks[0]):
             return
         tiles = self.tiles()
+        if not looks:
+            tile_edits.write_files(self, tiles)
         grounds = self._know({t["name"]: self.ground_task(t) for t in tiles})
         yield list(grounds.values())
         grounded = [t for t in tiles if self.is_current(grounds[t["name"]])]

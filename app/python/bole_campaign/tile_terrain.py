@@ -1,7 +1,6 @@
 """What tiles say that belongs together: their terrain, as one raster without seams, and the evidence of their stems."""
 
 import csv
-import os
 from xml.sax.saxutils import escape
 
 from . import folders
@@ -12,19 +11,6 @@ def in_core(tile, x, y):
     """Half open: what lies on the upper edges belongs to the next tile."""
     xmin, ymin, xmax, ymax = tile["core"]
     return xmin <= x < xmax and ymin <= y < ymax
-
-
-def write_text(path, text):
-    """In one step, and only where it is new: a file that is the same is not read again."""
-    try:
-        if path.read_text(encoding="utf-8") == text:
-            return
-    except OSError:
-        pass
-    path.parent.mkdir(parents=True, exist_ok=True)
-    draft = path.with_name(f".{path.name}.{os.getpid()}")
-    draft.write_text(text, encoding="utf-8")
-    os.replace(draft, path)
 
 
 def tiles_of_stems(table):
@@ -66,7 +52,7 @@ def join_terrain(plan, tiles):
         sources.append(f'    <SimpleSource>\n      <SourceFilename relativeToVRT="1">{escape(file)}</SourceFilename>\n      <SourceBand>1</SourceBand>\n'
                        f'      <SrcRect xOff="0" yOff="0" xSize="{nx}" ySize="{ny}"/>\n      <DstRect xOff="{at_column}" yOff="{at_row}" xSize="{nx}" ySize="{ny}"/>\n    </SimpleSource>\n')
     crs = next((c for t, _ in placed if (c := facts_of(plan.done(f"{t['name']}.ground")).get("crs"))), "")
-    write_text(plan.out / "terrain.vrt",
+    folders.write_text(plan.out / "terrain.vrt",
                f'<VRTDataset rasterXSize="{columns}" rasterYSize="{rows}">\n' + (f'  <SRS dataAxisToSRSAxisMapping="1,2">{escape(crs)}</SRS>\n' if crs else "")
                + f'  <GeoTransform>{left!r}, {cell!r}, 0, {top!r}, 0, {-cell!r}</GeoTransform>\n  <VRTRasterBand dataType="Float32" band="1">\n'
                f'    <Description>elevation_m</Description>\n    <NoDataValue>nan</NoDataValue>\n' + "".join(sources) + "  </VRTRasterBand>\n</VRTDataset>\n")
@@ -82,4 +68,4 @@ def join_evidence(plan, tiles):
             heading = heading or names
             x, y = names.index("x_m"), names.index("y_m")
             lines += [row for row in rows if in_core(tile, float(row[x]), float(row[y]))]
-    write_text(plan.joined("evidence.csv"), "\n".join(",".join(row) for row in [heading, *lines]) + "\n")
+    folders.write_text(plan.joined("evidence.csv"), "\n".join(",".join(row) for row in [heading, *lines]) + "\n")

@@ -10,15 +10,15 @@ import glob
 import os
 import pathlib
 
+from . import tile_edits
 from .document import Campaign, check_keys, number_of, truth_of
 from .errors import bad_input
 from .program import Pipeline, find_pipeline
 
 TILED_KEYS = ("pipeline", "cloud", "tile_m", "buffer_m", "shift_m", "cloud_files", "set", "memory_gib", "time_limit_s", "threads", "retries", "cache", "accept_partial", "title")
 # What leads from a cloud to its stems. Other stages look at a plot as a whole.
-IN_TILES = ("io.read_cloud", "io.read_trajectory", "survey.join_trajectory", "ground.model", "stems.measure")
-# Edits of points name trees by their places, which a tile may not hold; without edits the stage changes nothing.
 EDITS_OF_POINTS = "survey.edit_points"
+IN_TILES = ("io.read_cloud", "io.read_trajectory", "survey.join_trajectory", EDITS_OF_POINTS, "ground.model", "stems.measure")
 # Each run looks at its cloud as a whole; a tile must not decide for itself what the cloud is.
 SETTLED = {"io.read_cloud": {"unit": "metre", "up": "z"}, "ground.model": {"method": "tin"}}
 TERRAIN, PRIORS, NUMBERS, RESULTS = "tile_terrain", "tile_priors", "tile_numbers", "tile_results"
@@ -77,12 +77,7 @@ class TiledCampaign(Campaign):
             if sum(stage["type"] == kind for stage in stages.values()) != 1:
                 raise bad_input(f"{place}: the pipeline '{name}' has no single stage {kind}", "a pipeline from a cloud to its stems", "Use stem_map_from_cloud")
         self.id_of = {stage["type"]: one for one, stage in stages.items()}
-        edited = self.id_of.get(EDITS_OF_POINTS)
-        options = (stages[edited].get("options") or {}) if edited else {}
-        if options.get("file") or options.get("edits", "[]") not in ("[]", []):
-            raise bad_input(f"{place}: the pipeline '{name}' has edits of points ('{edited}'), which are not applied in tiles", "a pipeline without them",
-                            "Measure the plot that they are of by itself, or delete them")
-        self.ids = upstream(stages, self.id_of["stems.measure"], without=("stems.slice", EDITS_OF_POINTS))
+        self.ids = upstream(stages, self.id_of["stems.measure"], without=("stems.slice",))
         strange = next((stages[one]["type"] for one in self.ids if stages[one]["type"] not in IN_TILES), None)
         if strange:
             raise bad_input(f"{place}: the pipeline '{name}' measures stems after a stage {strange}, which is not run in tiles", "stages of " + ", ".join(IN_TILES))
@@ -90,6 +85,7 @@ class TiledCampaign(Campaign):
     def _tile_settings(self, given, place):
         """Options of the stages that run in tiles, and the files among them."""
         settings = self._settings(given, place)
+        self.edits = self._edits_of_points(settings, place)
         slice_id, scan = self.id_of.get("stems.slice"), self.id_of["io.read_cloud"]
         self.breast_height = settings.pop(f"{slice_id}.height", None)
         for name in settings:
@@ -107,15 +103,28 @@ class TiledCampaign(Campaign):
             if self.pipeline.is_path(name, value):
                 files[name] = [os.path.normpath(self.resolved(path)) for path in self.pipeline.paths_in(name, value)]
                 settings[name] = ",".join(files[name])
-        in_document = self.pipeline.files_in_document()
-        return settings, {**{n: p for n, p in in_document.items() if n not in settings and n.split(".")[0] in self.ids}, **files}
+        edited = self.id_of.get(EDITS_OF_POINTS)
+        in_document = {n: p for n, p in self.pipeline.files_in_document().items() if n not in settings and n.split(".")[0] in self.ids and n.split(".")[0] != edited}
+        return settings, {**in_document, **files}
+
+    def _edits_of_points(self, settings, place):
+        """Those of the pipeline, which settings replace option by option. Each tile is given its own of them."""
+        stage = self.id_of.get(EDITS_OF_POINTS)
+        if stage is None or stage not in self.ids:
+            return []
+        own = {**(self.pipeline.stages[stage].get("options") or {})}
+        own.update({"file": path[0] for name, path in self.pipeline.files_in_document().items() if name == f"{stage}.file"})
+        for name in ("file", "edits"):
+            if f"{stage}.{name}" in settings:
+                own[name] = settings.pop(f"{stage}.{name}")
+        return tile_edits.edits_in(self.resolved(own["file"]) if own.get("file") else "", own.get("edits", "[]"), place)
 
     def _nodes(self):
         """Copies of the stages that run in tiles, with absolute paths."""
         in_document, nodes = self.pipeline.files_in_document(), {}
         for one in self.ids:
             node = dict(self.pipeline.stages[one])
-            node["options"] = dict(node.get("options") or {})
+            node["options"] = {} if node["type"] == EDITS_OF_POINTS else dict(node.get("options") or {})
             node["inputs"] = {port: joint for port, joint in (node.get("inputs") or {}).items() if joint.split(".")[0] in self.ids}
             for option in node["options"]:
                 if f"{one}.{option}" in in_document:
@@ -131,6 +140,9 @@ class TiledCampaign(Campaign):
         second[ground]["inputs"]["terrain"] = f"{TERRAIN}.raster"
         second[stems]["inputs"]["priors"] = f"{PRIORS}.table"
         results = {"id": RESULTS, "type": "report.tile"}
+        of_stems = {port: f"{stems}.{port}" for port in ("stems", "sections", "rejected", "points")}
+        if (edited := self.id_of.get(EDITS_OF_POINTS)) in self.ids:
+            of_stems.update({"given": f"{stems}.given", "point_edits": f"{edited}.point_edits"})
         return {
             "cut": {"title": "Cut a cloud into tiles", "stages": [{"id": "cut", "type": "io.cut_cloud"}]},
             "ground": {"title": "Terrain of a tile", "stages": [
@@ -140,8 +152,7 @@ class TiledCampaign(Campaign):
                 {**results, "inputs": {"priors": "pool.priors"}}]},
             "stems": {"title": "Stems of a tile", "stages": [
                 {"id": TERRAIN, "type": "io.read_raster"}, {"id": PRIORS, "type": "io.read_table"}, *second.values(),
-                {**results, "options": {"cloud": self.cloud_files},
-                 "inputs": {port: f"{stems}.{port}" for port in ("stems", "sections", "rejected", "points")}}]},
+                {**results, "options": {"cloud": self.cloud_files}, "inputs": of_stems}]},
             "label": {"title": "Tree ids of a tile", "stages": [
                 {"id": "points", "type": "io.read_cloud"}, {"id": NUMBERS, "type": "io.read_table"},
                 {"id": "renumber", "type": "stems.renumber", "inputs": {"points": "points.points", "numbers": f"{NUMBERS}.table"}},

@@ -79,7 +79,8 @@ class Survey {
     return std::move(out_);
   }
 
-  std::vector<StemEvidence> evidence() {
+  std::vector<StemEvidence> evidence(const std::vector<PointEdit>& given) {
+    points_ = without_given_classes(points_, given, run_);
     take_sensor();
     search();
     return evidence_of(fitted_, options_, points_.origin);
@@ -358,7 +359,7 @@ class Survey {
     std::vector<TreePlace> trees;
     for (const auto& s : out_.stems) trees.push_back({s.id, (points_.origin + s.breast_height).head<2>()});
     std::vector<std::uint8_t> by_hand;
-    give_points(points_, given_, trees, labels, run_, &by_hand);
+    out_.given = give_points(points_, given_, trees, labels, run_, &by_hand);
     if (growth == nullptr || growth->lead_m.size() != by_hand.size()) return;
     for (std::size_t i = 0; i < by_hand.size(); ++i)
       if (by_hand[i] != 0) growth->lead_m[i] = std::numeric_limits<float>::infinity();
@@ -407,9 +408,10 @@ StemSurvey measure_stems(const PointCloud& points, double breast_height, const R
 }
 
 std::vector<StemEvidence> stem_evidence(const PointCloud& points, double breast_height, const Raster& dem,
-                                        const Trajectory* trajectory, const MeasureOptions& options, const Run& run) {
+                                        const Trajectory* trajectory, const MeasureOptions& options, const Run& run,
+                                        const std::vector<PointEdit>& given) {
   check(points);
-  return Survey(points, breast_height, dem, trajectory, options, run).evidence();
+  return Survey(points, breast_height, dem, trajectory, options, run).evidence(given);
 }
 
 }  // namespace bole::stems

@@ -8,6 +8,7 @@
 #include "cloud/raster.h"
 #include "cloud/table.h"
 #include "cloud/trajectory.h"
+#include "stems/core/edits/give_points.h"
 #include "stems/core/fit/fit_stem.h"
 #include "stems/core/shared/pooled_priors.h"
 #include "stems/core/shared/range_stretch.h"
@@ -29,6 +30,7 @@ struct StemSurvey {
   PointCloud points;  // input with tree_id and stem, moved as `walk` says
   double breast_height_m = usual_breast_height_m;
   std::optional<double> range_stretch;  // of the cloud as it came, share of the range; nothing without rays
+  std::vector<GivenPoints> given;       // by edit of `given`
   WalkStretch walk;                     // what was taken out of it; share 0: nothing
   Report report;
 };
@@ -46,11 +48,16 @@ StemSurvey measure_stems(const PointCloud& points, double breast_height, const R
 
 // What each stem of a first look says about the errors that all share, to be pooled. Throws as measure_stems().
 std::vector<StemEvidence> stem_evidence(const PointCloud& points, double breast_height, const Raster& dem,
-                                        const Trajectory* trajectory, const MeasureOptions& options, const Run& run);
+                                        const Trajectory* trajectory, const MeasureOptions& options, const Run& run,
+                                        const std::vector<PointEdit>& given = {});
 
 // The tables `stems`, `sections` and `rejected` in the units of docs/dev/architecture.md.
 Table stem_table(const StemSurvey& survey);
 Table section_table(const StemSurvey& survey);
 Table rejected_table(const StemSurvey& survey);
+
+// What became of the points that a person gave: edit (from 1), applied (0: its tree is not among the stems), tree_id,
+// points. Edits that give a class are none of the stems, and count as applied.
+Table given_table(const StemSurvey& survey, const std::vector<PointEdit>& edits);
 
 }  // namespace bole::stems

@@ -87,7 +87,7 @@ TABLE_2 = [("trees", "trees", 0), ("position_mean_x", "mu x, m", 3), ("position_
            ("position_rmse_x", "RMSE x, m", 3), ("position_rmse_y", "RMSE y, m", 3)]
 TABLE_3 = [("trees", "trees", 0), ("dbh_bias", "BIAS, cm", 2), ("dbh_relative_bias", "relBIAS, %", 2),
            ("dbh_rmse", "RMSE, cm", 2), ("dbh_relative_rmse", "relRMSE, %", 2)]
-DIAMETER = [("dbh_interval_coverage", "intervals that hold, %"), ("half_width", "to either side, cm"), ("range_stretch", "walk made longer by, %"), ("wall", "wall, mm"), ("pass_spread", "pass spread, mm")]
+DIAMETER = [("dbh_interval_coverage", "intervals that hold, %"), ("half_width", "to either side, cm"), ("range_stretch", "walk too short by the stems, %"), ("wall", "wall, mm"), ("pass_spread", "pass spread, mm")]
 TRACK = [("ate_rmse", "ATE, m"), ("length_error", "walk too long, %"), ("completeness", "found, %"), ("correctness", "right, %"),
          ("loop_precision", "loop precision, %"), ("loop_pose_precision", "loop poses true, %"),
          ("loop_recall", "loop recall, %"), ("ms_per_frame", "ms/frame"), ("peak_mib", "peak, MiB")]

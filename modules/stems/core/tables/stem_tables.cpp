@@ -136,4 +136,21 @@ Table rejected_table(const StemSurvey& survey) {
   return t;
 }
 
+Table given_table(const StemSurvey& survey, const std::vector<PointEdit>& edits) {
+  Table t;
+  std::vector<std::int64_t> edit, applied, tree_id, points;
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    const auto given = i < survey.given.size() ? survey.given[i] : GivenPoints{};
+    edit.push_back(static_cast<std::int64_t>(i + 1));
+    applied.push_back(given.tree || edits[i].gives_class() ? 1 : 0);
+    tree_id.push_back(given.tree.value_or(0));
+    points.push_back(given.points);
+  }
+  t.set("edit", std::move(edit));
+  t.set("applied", std::move(applied));
+  t.set("tree_id", std::move(tree_id));
+  t.set("points", std::move(points));
+  return t;
+}
+
 }  // namespace bole::stems
