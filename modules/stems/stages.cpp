@@ -49,7 +49,7 @@ pipeline::StageType measure_stage() {
       "makes too short or too long is made to fit the ranges: points and stems lie where they would if it had its "
       "length. Every point gets the id "
       "of its tree.";
-  t.version = 12;
+  t.version = 13;
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
   t.inputs = measure_ports();
   t.inputs.push_back(

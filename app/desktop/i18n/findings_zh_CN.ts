@@ -10100,6 +10100,14 @@
             <translation>model 为“ray”，但没有已知的传感器位置：采用到表面的距离。请给出 sensor_x、sensor_y、sensor_z，或时间和轨迹</translation>
         </message>
         <message>
+            <source>points lie %1 % of their range too far from their sensor: stems lie at other places when they are seen from far than from near. Diameters are corrected for it. Where the walk is at fault and not the ranges, distances between stems are wrong by as much: compare with control points</source>
+            <translation>点到传感器的距离偏远 %1 %：从远处看到的单木与从近处看到的位置不同。直径已作相应校正。如果误差来自行走路径而非测距，单木间的距离也有同样比例的误差：请与控制点比较</translation>
+        </message>
+        <message>
+            <source>points lie %1 % of their range too near to their sensor: stems lie at other places when they are seen from far than from near. Diameters are corrected for it. Where the walk is at fault and not the ranges, distances between stems are wrong by as much: compare with control points</source>
+            <translation>点到传感器的距离偏近 %1 %：从远处看到的单木与从近处看到的位置不同。直径已作相应校正。如果误差来自行走路径而非测距，单木间的距离也有同样比例的误差：请与控制点比较</translation>
+        </message>
+        <message>
             <source>the walk is %1 % too short in the map: stems lie at other places when they are seen from far than from near. Cloud and stems were made to fit the ranges; the trajectory, the terrain and the targets stay as they were. Run SLAM with another preset, or compare with control points</source>
             <translation>点云中的行走路径偏短 %1 %：从远处看到的单木与从近处看到的位置不同。点云与单木已按测距作相应校正；轨迹、地形和标靶保持不变。请用另一预设运行 SLAM，或与控制点比较</translation>
         </message>

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "cloud/core/walk_facts.h"
+#include "cloud/known_facts.h"
 #include "cloud/large_cloud.h"
 #include "stems/core/detect/ray_test.h"
 #include "stems/core/detect/sensor_positions.h"
@@ -65,7 +66,7 @@ class Survey {
     if (pooled_ == nullptr)
       for (int round = 0; round < max_alignments && align_passes(priors); ++round) priors = search();
     priors.stretch_doubt = stretch_doubt_;
-    if (out_.range_stretch) tell_range_stretch(*out_.range_stretch, out_.walk.share, out_.report);
+    if (out_.range_stretch) tell_range_stretch(*out_.range_stretch, taken_out_, lengthens(), out_.report);
     learn_noise();
     priors.noise_m = noise_m_;
     if (priors.learnt) refit_all(priors);
@@ -130,20 +131,30 @@ class Survey {
   bool take_out_stretch() {
     if (!rays_.has_sensor() || !fits_along_rays(rays_, options_)) return false;
     const auto stretch = pooled_ != nullptr ? pooled_->range_stretch.value_or(RangeStretchPrior{})
-                                            : learn_range_stretch(fitted_, options_, out_.walk.share);
-    const double more = stretch.mean - out_.walk.share;
-    const bool moves = std::abs(more) > (out_.walk.share == 0 ? min_stretch_to_take_out : still_to_take_out);
-    if (moves) {
-      if (out_.walk.share == 0)
-        out_.walk.still =
-            pooled_ != nullptr ? pooled_->still : still_place(stretched_stems(fitted_, options_, points_.origin));
-      if (!has_sensor_columns(points_)) add_sensor_columns(points_, sensor_of_point(), run_);
-      points_ = lengthened(points_, nullptr, {more, out_.walk.still}, run_), out_.walk.share += more;
-      lengthened_dem_ = lengthened(input_dem_, out_.walk), dem_ = &lengthened_dem_;
-    }
-    stretch_doubt_ = std::hypot(stretch.sd, stretch.mean - out_.walk.share);
+                                            : learn_range_stretch(fitted_, options_, taken_out_);
+    const double more = stretch.mean - taken_out_;
+    const bool moves = std::abs(more) > (taken_out_ == 0 ? min_stretch_to_take_out : still_to_take_out);
+    if (moves) take_out(more);
+    stretch_doubt_ = std::hypot(stretch.sd, stretch.mean - taken_out_);
     out_.range_stretch = stretch.mean;
     return moves;
+  }
+
+  // Poses that SLAM estimated are at fault themselves; else it may be the ranges.
+  bool lengthens() const { return pose_origin(input_.facts) == PoseOrigin::estimated; }
+
+  void take_out(double more) {
+    if (!has_sensor_columns(points_)) add_sensor_columns(points_, sensor_of_point(), run_);
+    taken_out_ += more;
+    if (!lengthens()) {
+      points_ = without_stretch(points_, more, run_);
+      return;
+    }
+    if (out_.walk.share == 0)
+      out_.walk.still =
+          pooled_ != nullptr ? pooled_->still : still_place(stretched_stems(fitted_, options_, points_.origin));
+    points_ = lengthened(points_, nullptr, {more, out_.walk.still}, run_), out_.walk.share += more;
+    lengthened_dem_ = lengthened(input_dem_, out_.walk), dem_ = &lengthened_dem_;
   }
 
   // The stems that are known say what is left of the stretch: only then is a search of the whole cloud worth its time.
@@ -373,6 +384,7 @@ class Survey {
   const PooledPriors* pooled_ = nullptr;
   std::vector<PassAlignment> alignments_;
   double moved_m_ = 0;        // by which they were
+  double taken_out_ = 0;      // of the range stretch
   double stretch_doubt_ = 0;  // standard deviation of the range stretch that is left
   double noise_m_ = 0;        // scatter of ranges on the bark, middle of the stems; 0: not known
   const Raster& input_dem_;

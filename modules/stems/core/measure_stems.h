@@ -31,7 +31,7 @@ struct StemSurvey {
   double breast_height_m = usual_breast_height_m;
   std::optional<double> range_stretch;  // of the cloud as it came, share of the range; nothing without rays
   std::vector<GivenPoints> given;       // by edit of `given`
-  WalkStretch walk;                     // what was taken out of it; share 0: nothing
+  WalkStretch walk;                     // by which the points were moved; share 0: not at all
   Report report;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cloud/known_facts.h"
 #include "stems/core/measure_stems.h"
 #include "stems/core/shared/pooled_priors.h"
 #include "synthetic/stem_cloud.h"
@@ -16,6 +17,7 @@ synthetic::StemCloud stretched_stand(unsigned seed, double stretch) {
   synthetic::StemCloudOptions o;
   o.azimuth_step = 0.3, o.pass_step = 0.5, o.passes = 4, o.seed = seed;
   auto cloud = synthetic::make_stem_cloud(synthetic::random_stand(8, 0.12, 0.40, seed), o);
+  set_fact(cloud.points.facts, PoseOrigin::estimated);
   if (stretch != 0) cloud.points = lengthened(cloud.points, nullptr, {-stretch, {0, 0}}, {});
   return cloud;
 }
@@ -100,6 +102,23 @@ TEST(RangeStretch, APathSaysWhereThePointsGo) {
   EXPECT_EQ(moved.positions()[2], cloud.positions()[2]);
   EXPECT_FALSE(moved.has(arrays::sensor_x));
   EXPECT_EQ(lengthened(cloud, nullptr, {0.01, {0, 0}}, {}).positions(), cloud.positions());
+}
+
+// Poses that were given, or are not known: the ranges may be at fault, and nothing but the diameters follows.
+TEST(RangeStretch, AMapThatIsNotOfSlamKeepsItsPlaces) {
+  for (const bool known : {true, false}) {
+    auto cloud = stretched_stand(5, 0.004);
+    cloud.points.facts.clear();
+    if (known) set_fact(cloud.points.facts, PoseOrigin::given);
+    const auto survey = measure_stems(cloud.points, usual_breast_height_m, cloud.dem, nullptr, thin_rays(), {});
+    EXPECT_TRUE(tells(survey.report, "walk_too_short"));
+    EXPECT_EQ(survey.walk.share, 0);
+    EXPECT_EQ(survey.points.positions(), cloud.points.positions());
+    const auto e = errors_of_walk(survey, cloud);
+    EXPECT_GE(e.held, 7);
+    EXPECT_LT(std::abs(e.bias_cm), 0.25);
+    EXPECT_GT(e.place_m, 0.005);
+  }
 }
 
 TEST(RangeStretch, TheTerrainGoesWithTheWalk) {

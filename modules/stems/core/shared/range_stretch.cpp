@@ -59,16 +59,41 @@ PointCloud lengthened(const PointCloud& points, const Trajectory* trajectory, co
   return out;
 }
 
+PointCloud without_stretch(const PointCloud& points, double stretch, const Run& run) {
+  const auto &x = points.values<float>(arrays::sensor_x), &y = points.values<float>(arrays::sensor_y);
+  auto positions = points.positions();
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, positions.size(), 1 << 16), [&](const auto& block) {
+    if (run.cancelled()) return;
+    for (auto i = block.begin(); i != block.end(); ++i) {
+      const Eigen::Vector2f reach = positions[i].template head<2>() - Eigen::Vector2f(x[i], y[i]);
+      if (reach.allFinite()) positions[i].template head<2>() -= static_cast<float>(stretch) * reach;
+    }
+  });
+  run.check_cancel();
+  PointCloud out = points;
+  out.set_positions(std::move(positions));
+  return out;
+}
+
 Raster lengthened(Raster dem, const WalkStretch& walk) {
   dem.origin += walk.share * (dem.origin - walk.still);
   dem.cell_m *= 1 + walk.share;
   return dem;
 }
 
-void tell_range_stretch(double stretch, double taken_out, Report& report) {
+void tell_range_stretch(double stretch, double taken_out, bool lengthened, Report& report) {
   report.metrics["range_stretch"] = {100 * stretch, Unit::percent};
   if (taken_out == 0) return;
   const bool is_short = taken_out > 0;
+  if (!lengthened) {
+    report.find(Severity::look, is_short ? "walk_too_short" : "walk_too_long",
+                fmt::format("points lie {:.2f} % of their range too {} their sensor: stems lie at other places when "
+                            "they are seen from far than from near. Diameters are corrected for it. Where the walk is "
+                            "at fault and not the ranges, distances between stems are wrong by as much: compare with "
+                            "control points",
+                            100 * std::abs(taken_out), is_short ? "far from" : "near to"));
+    return;
+  }
   report.find(
       Severity::look, is_short ? "walk_too_short" : "walk_too_long",
       fmt::format("the walk is {:.2f} % too {} in the map: stems lie at other places when they are seen from far "

@@ -33,10 +33,16 @@ Eigen::Vector2d still_place(const std::vector<Eigen::Vector2d>& stems);
 // which may be null, and the times of the points; points without a sensor stay. Throws Error{cancelled}.
 PointCloud lengthened(const PointCloud& points, const Trajectory* trajectory, const WalkStretch& walk, const Run& run);
 
-// The terrain of such a cloud: the ground was seen from near, and goes with the walk as a whole.
+// The cloud with every point moved in the plan towards its sensor by `stretch` of its distance in the plan: for maps
+// whose poses are not known to be estimated, so that the ranges may be at fault and places are left alone. Needs the
+// columns of the sensor; points without one stay. Throws Error{cancelled}.
+PointCloud without_stretch(const PointCloud& points, double stretch, const Run& run);
+
+// The terrain under a walk that is made longer: the ground was seen from near, and goes with it as a whole.
 Raster lengthened(Raster dem, const WalkStretch& walk);
 
-// Metric range_stretch; finding walk_too_short or walk_too_long for what was taken out of the points.
-void tell_range_stretch(double stretch, double taken_out, Report& report);
+// Metric range_stretch; finding walk_too_short or walk_too_long for what was taken out of the points. `lengthened`:
+// places were moved too.
+void tell_range_stretch(double stretch, double taken_out, bool lengthened, Report& report);
 
 }  // namespace bole::stems
