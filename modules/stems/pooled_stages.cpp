@@ -64,11 +64,9 @@ pipeline::StageType pool_stage() {
   t.vtk_class = "vtkBolePoolPriors";
   t.title = "Pool the priors";
   t.help =
-      "Puts together what stems say in several parts of a cloud: the spread of passes and views that makes the "
-      "evidence of all likeliest, the mean range offset, how much the walk is too short, the place that stays where it "
-      "is made longer, and the middle noise. "
-      "stems.measure takes the row in place of what it "
-      "would learn from its own stems.";
+      "Puts together what stems say in several parts of a cloud: the mean spread of passes and views that their "
+      "evidence allows, the mean range offset, how much the walk is too short, the place that stays where it is made "
+      "longer, and the middle noise. stems.measure takes the row in place of what it would learn from its own stems.";
   t.source = "Bole";
   t.inputs = {{"evidence", DataKind::table, "Rows of stems.evidence, of all parts.", false, {}}};
   t.outputs = {{"priors", DataKind::table, "One row, for stems.measure.", false, {}, true}};

@@ -45,10 +45,9 @@ pipeline::StageType measure_stage() {
       "pass and view whose spread is estimated over all stems. Where sensor positions are known, the error along the "
       "ray is fitted, with a beam of finite width and a range offset that all stems share, else the distance from the "
       "surface (model); candidates that rays pass through are rejected. Passes of "
-      "the walk that disagree by a centimetre or more are first brought together by the stems, and a walk that the map "
-      "makes too short or too long is made to fit the ranges: points and stems lie where they would if it had its "
-      "length. Every point gets the id "
-      "of its tree.";
+      "the walk that disagree by a centimetre or more are first brought together by the stems, and a walk that SLAM "
+      "made too short or too long is made to fit the ranges: points and stems lie where they would if it had its "
+      "length. Every point gets the id of its tree.";
   t.version = 13;
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
   t.inputs = measure_ports();

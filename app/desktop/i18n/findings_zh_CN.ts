@@ -6927,6 +6927,14 @@
             <translation>请用 --out DIR 指定</translation>
         </message>
         <message>
+            <source>beside_color is '%1'</source>
+            <translation>beside_color 为 '%1'</translation>
+        </message>
+        <message>
+            <source>%1 or a colour such as #d98e04</source>
+            <translation>%1，或一种颜色，例如 #d98e04</translation>
+        </message>
+        <message>
             <source>there is no walk to fly along</source>
             <translation>没有可沿其飞行的行走路径</translation>
         </message>

@@ -2010,6 +2010,16 @@
             <comment>report.flythrough</comment>
             <translation>视频</translation>
         </message>
+        <message>
+            <source>Beside color</source>
+            <comment>report.flythrough</comment>
+            <translation>旁置点云颜色</translation>
+        </message>
+        <message>
+            <source>Beside opacity</source>
+            <comment>report.flythrough</comment>
+            <translation>旁置点云不透明度</translation>
+        </message>
 </context>
     <context>
         <name>option help</name>
@@ -4188,6 +4198,14 @@
         <message>
             <source>Size of a point in pixels of a frame 1080 pixels high.</source>
             <translation>点的大小,以 1080 像素高的画面中的像素计。</translation>
+        </message>
+        <message>
+            <source>What the cloud beside the survey is coloured by: a column (intensity), z, photo, or one colour for all points (#rrggbb).</source>
+            <translation>测量之外那幅点云的着色依据:一个字段(intensity)、z、photo,或所有点同一种颜色(#rrggbb)。</translation>
+        </message>
+        <message>
+            <source>Opacity of the cloud beside the survey. 1: nothing shines through.</source>
+            <translation>测量之外那幅点云的不透明度。1:完全不透明。</translation>
         </message>
         <message>
             <source>Draw the fitted stems.</source>

@@ -387,8 +387,8 @@
             <translation>应用人工决定:add、delete、move、resize、set_height、split、merge、accept、reject、note、set_species 和 tilt,每条都带有作者、时间和原因。输入不会改变;编辑保存在流程中,每次运行后按位置重新应用。不再适用的编辑为冲突:它不作任何更改,并会列出。连接样地时,样地内的树从 1 开始编号,其余的排在后面。</translation>
         </message>
         <message>
-            <source>Finds stems between ground and crowns and measures their diameter at breast height with a 95 % interval. Circles are searched at several heights by a randomised search and linked into axes; a tapered cylinder is fitted jointly to the sections around breast height with Tukey weights of capped scale, with offsets per pass and view whose spread is estimated over all stems. Where sensor positions are known, the error along the ray is fitted, with a beam of finite width and a range offset that all stems share, else the distance from the surface (model); candidates that rays pass through are rejected. Passes of the walk that disagree by a centimetre or more are first brought together by the stems, and a walk that the map makes too short or too long is corrected. Every point gets the id of its tree.</source>
-            <translation>在地面与树冠之间查找单木,并测定其胸径及 95 % 区间。在多个高度上用随机搜索查找圆,并连接成树干轴线;再对胸高附近的各断面联合拟合一个带削度的圆柱,采用尺度有上限的 Tukey 权,并为每趟、每个视角设偏移,其离散程度由全部单木估计。传感器位置已知时,拟合沿射线的误差,顾及光束宽度和所有单木共有的测距偏移;否则拟合到树干表面的距离(model);被射线穿过的候选会被拒绝。行走各趟之间相差一厘米或更多时,先借助单木将其对齐;点云中过短或过长的行走路径也会得到校正。每个点都得到所属树木的编号。</translation>
+            <source>Finds stems between ground and crowns and measures their diameter at breast height with a 95 % interval. Circles are searched at several heights by a randomised search and linked into axes; a tapered cylinder is fitted jointly to the sections around breast height with Tukey weights of capped scale, with offsets per pass and view whose spread is estimated over all stems. Where sensor positions are known, the error along the ray is fitted, with a beam of finite width and a range offset that all stems share, else the distance from the surface (model); candidates that rays pass through are rejected. Passes of the walk that disagree by a centimetre or more are first brought together by the stems, and a walk that SLAM made too short or too long is made to fit the ranges: points and stems lie where they would if it had its length. Every point gets the id of its tree.</source>
+            <translation>在地面与树冠之间查找单木,并测定其胸径及 95 % 区间。在多个高度上用随机搜索查找圆,并连接成树干轴线;再对胸高附近的各断面联合拟合一个带削度的圆柱,采用尺度有上限的 Tukey 权,并为每趟、每个视角设偏移,其离散程度由全部单木估计。传感器位置已知时,拟合沿射线的误差,顾及光束宽度和所有单木共有的测距偏移;否则拟合到树干表面的距离(model);被射线穿过的候选会被拒绝。行走各趟之间相差一厘米或更多时,先借助单木将其对齐;SLAM 得出的行走路径过短或过长时,按测距校正:点与单木位于路径长度正确时应在的位置。每个点都得到所属树木的编号。</translation>
         </message>
         <message>
             <source>Cuts the layer of points around breast height, by height above ground, for the stem measurement and for pictures of the sections.</source>
@@ -559,8 +559,8 @@
             <translation>stems.measure 的第一步,选项相同:查找树干,并给出每株对所有树干共有误差(各趟与各视角的离散、测距偏移、行走路径长度、测距噪声)的信息。对点云的各部分运行,再用 stems.pool_priors 汇总各部分的行。</translation>
         </message>
         <message>
-            <source>Puts together what stems say in several parts of a cloud: the spread of passes and views that makes the evidence of all likeliest, the mean range offset, how much the walk is too short and the middle noise. stems.measure takes the row in place of what it would learn from its own stems.</source>
-            <translation>汇总点云若干部分中树干给出的信息:使全部证据最可能的各趟与各视角离散、平均测距偏移、行走路径偏短的比例和噪声中位数。stems.measure 用这一行代替从自身树干学到的值。</translation>
+            <source>Puts together what stems say in several parts of a cloud: the mean spread of passes and views that their evidence allows, the mean range offset, how much the walk is too short, the place that stays where it is made longer, and the middle noise. stems.measure takes the row in place of what it would learn from its own stems.</source>
+            <translation>汇总点云若干部分中树干给出的信息:证据所允许的各趟与各视角离散均值、平均测距偏移、行走路径偏短的比例、加长时保持不动的位置和噪声中位数。stems.measure 用这一行代替从自身树干学到的值。</translation>
         </message>
         <message>
             <source>Gives the points of a part of a cloud the tree ids of the whole: the table says which number each tree of the part gets. Points of trees that it does not list belong to no tree.</source>

@@ -1,9 +1,14 @@
 #include "report/flight/flythrough.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fstream>
+#include <memory>
+#include <optional>
 #include <sstream>
 
 #include "base/atomic_file.h"
@@ -41,6 +46,15 @@ void clear_frames(const fs::path& folder) {
   }
 }
 
+// "#d98e04"
+std::optional<render::Color> plain_color(const std::string& text) {
+  std::uint32_t rgb = 0;
+  if (text.size() != 7 || text[0] != '#') return {};
+  const auto read = std::from_chars(text.data() + 1, text.data() + text.size(), rgb, 16);
+  if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return {};
+  return render::hex(rgb);
+}
+
 pipeline::StageResult run_flythrough(const DataSet& inputs, const FlythroughOptions& o, const Run& run) {
   if (run.output_dir.empty())
     throw bad_input("there is no folder for the frames", "an output folder", "Give it with --out DIR");
@@ -50,7 +64,10 @@ pipeline::StageResult run_flythrough(const DataSet& inputs, const FlythroughOpti
   if (inputs.has("sections")) data.sections = &inputs.table("sections");
   if (inputs.has("trajectory")) data.trajectory = &inputs.trajectory("trajectory");
   pipeline::StageResult result;
-  result.report = write_flythrough(data, flight_of(o, data.trajectory, stops_in(o.views)), o, run.output_dir, run);
+  std::vector<render::BesideCloud> beside;
+  if (inputs.has("beside")) beside.push_back(beside_cloud(inputs.cloud("beside"), o));
+  result.report =
+      write_flythrough(data, flight_of(o, data.trajectory, stops_in(o.views)), o, run.output_dir, run, beside);
   return result;
 }
 
@@ -96,6 +113,19 @@ const OptionTable& option_table(const FlythroughOptions*) {
              "Distance along the walk at which the camera looks. A larger value turns more gently."},
       Option<S, bool>{"video", &S::video, Tier::basic,
                       "Make a video of the frames where the program ffmpeg is installed: flythrough.mp4."},
+      Option<S, std::string>{"beside_color",
+                             &S::beside_color,
+                             TextKind::plain,
+                             {},
+                             Tier::advanced,
+                             "What the cloud beside the survey is coloured by: a column (intensity), z, photo, or one "
+                             "colour for all points (#rrggbb)."},
+      Number{"beside_opacity",
+             &S::beside_opacity,
+             Unit::none,
+             {0.05, 1},
+             Tier::advanced,
+             "Opacity of the cloud beside the survey. 1: nothing shines through."},
       OnlyIf{"course", {"views"}, {"views"}},
       OnlyIf{"course", {"walk"}, {"above", "ahead"}},
   });
@@ -156,6 +186,21 @@ Report write_flythrough(const render::MapData& data, const std::vector<render::V
   return report;
 }
 
+render::BesideCloud beside_cloud(const PointCloud& cloud, const FlythroughOptions& options) {
+  const auto points = std::make_shared<const PointCloud>(cloud);
+  const auto& what = options.beside_color;
+  if (const auto color = plain_color(what)) {
+    render::PointPaint paint;
+    paint.color = *color;
+    return {points, paint, 0, options.beside_opacity};
+  }
+  const auto columns = render::paintable_arrays(cloud);
+  if (std::ranges::find(columns, what) == columns.end())
+    throw bad_input(fmt::format("beside_color is '{}'", what),
+                    fmt::format("{} or a colour such as #d98e04", fmt::join(columns, ", ")));
+  return {points, render::paint_by(cloud, what), 0, options.beside_opacity};
+}
+
 pipeline::StageType flythrough_stage() {
   pipeline::StageType type;
   type.name = "report.flythrough";
@@ -169,7 +214,12 @@ pipeline::StageType flythrough_stage() {
   type.inputs = {{"points", DataKind::cloud, "Points of the survey.", false, {}},
                  {"stems", DataKind::table, "Stems to draw.", true, {}},
                  {"sections", DataKind::table, "Circles along the stems.", true, {}},
-                 {"trajectory", DataKind::trajectory, "Walk of the sensor.", true, {}}};
+                 {"trajectory", DataKind::trajectory, "Walk of the sensor.", true, {}},
+                 {"beside",
+                  DataKind::cloud,
+                  "Another cloud in the axes of the survey, drawn with it: an earlier date, another scanner.",
+                  true,
+                  {}}};
   type.options = &option_table(static_cast<const FlythroughOptions*>(nullptr));
   type.writes_files = true;
   type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {

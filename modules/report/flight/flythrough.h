@@ -27,6 +27,8 @@ struct FlythroughOptions {
   double above = 0.3;  // metres
   double ahead = 6;    // metres
   bool video = true;
+  std::string beside_color = "#d98e04";
+  double beside_opacity = 1;
 };
 
 const OptionTable& option_table(const FlythroughOptions*);
@@ -45,6 +47,10 @@ std::vector<render::ViewPoint> flight_of(const FlythroughOptions& options, const
 Report write_flythrough(const render::MapData& data, const std::vector<render::ViewPoint>& flight,
                         const FlythroughOptions& options, const std::filesystem::path& folder, const Run& run,
                         const std::vector<render::BesideCloud>& beside = {});
+
+// A cloud beside the survey as the options colour it: by a column, or all alike ("#rrggbb"). Throws Error{bad_input}
+// that lists the columns.
+render::BesideCloud beside_cloud(const PointCloud& cloud, const FlythroughOptions& options);
 
 pipeline::StageType flythrough_stage();
 

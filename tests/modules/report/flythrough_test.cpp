@@ -89,6 +89,33 @@ TEST_F(Flythrough, MakesTheSameFramesOfTheSameInputs) {
   EXPECT_FALSE(fs::exists(folder_ / "a/flythrough.mp4"));
 }
 
+TEST_F(Flythrough, ACloudBesideTheSurveyIsInItsColour) {
+  make(folder_ / "a");
+  PointCloud::Positions wall;
+  for (int i = 0; i < 60; ++i)
+    for (int j = 0; j < 60; ++j) wall.emplace_back(0.1 * i, 5, 0.05 * j);
+  const PointCloud other(std::move(wall));
+  render::MapData data;
+  data.points = &cloud_, data.trajectory = &walk_;
+  std::vector<std::string> films;
+  for (const char* color : {"#ff0000", "#0000ff", "z"}) {
+    options_.beside_color = color;
+    write_flythrough(data, flight_of(options_, &walk_, {}), options_, folder_ / color, {},
+                     {beside_cloud(other, options_)});
+    films.push_back(bytes_of(folder_ / color / "flythrough/frame_00001.png"));
+    EXPECT_NE(films.back(), bytes_of(folder_ / "a/flythrough/frame_00001.png")) << color;
+  }
+  EXPECT_NE(films[0], films[1]);
+  EXPECT_NE(films[1], films[2]);
+  options_.beside_color = "#ff00";
+  EXPECT_THROW(
+      try { beside_cloud(other, options_); } catch (const Error& e) {
+        EXPECT_THAT(e.what(), testing::AllOf(testing::HasSubstr("'#ff00'"), testing::HasSubstr("z or a colour")));
+        throw;
+      },
+      Error);
+}
+
 TEST_F(Flythrough, AShorterFilmLeavesNoFramesOfALongerOne) {
   make(folder_ / "a");
   options_.seconds = 0.25;
