@@ -2,6 +2,7 @@
 
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace bole::desktop {
@@ -16,6 +17,14 @@ void fill_with_scrolled(QWidget& panel, QWidget* page) {
   auto* layout = new QVBoxLayout(&panel);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(scroll);
+}
+
+void scroll_to(QWidget& widget) {
+  constexpr int layout_ms = 60;
+  QTimer::singleShot(layout_ms, &widget, [&widget] {
+    for (auto* above = widget.parentWidget(); above; above = above->parentWidget())
+      if (auto* scroll = qobject_cast<QScrollArea*>(above)) return scroll->ensureWidgetVisible(&widget);
+  });
 }
 
 }  // namespace bole::desktop

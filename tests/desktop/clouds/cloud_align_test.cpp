@@ -204,6 +204,9 @@ class CloudAlignTest : public CloudsWindow {
   void distances_from_the_survey_are_measured_told_and_coloured() {
     const int id = add("earlier.ply");
     clouds().place(id, shifted(-0.3, 0, -0.25));
+    window_->findChild<QTabWidget*>("cloud_pages")->setCurrentIndex(3);
+    const QSize whole = window_->size();
+    window_->resize(1280, 720);
     window_->findChild<QDoubleSpinBox*>("cloud_distance_within")->setValue(2);
     window_->commands().trigger("clouds.measure_distances");
     QTRY_VERIFY_WITH_TIMEOUT(!clouds().jobs().busy(), 60000);
@@ -231,8 +234,8 @@ class CloudAlignTest : public CloudsWindow {
     }
     QVERIFY(bars.of == render::DistanceBars::Of::nearest_point && rises.of == render::DistanceBars::Of::height);
     QVERIFY(bars.lo_m == 0 && rises.lo_m < -0.2 && bars.median_m == found.median_m && bars.hi95_m == found.p95_m);
-    window_->findChild<QTabWidget*>("cloud_pages")->setCurrentIndex(3);
-    QTest::qWait(50);
+    QTRY_VERIFY2(chart->visibleRegion().boundingRect().height() == chart->height(), "the histogram is out of sight");
+    window_->resize(whole);
     const auto drawn_chart = [&] { return window_->findChild<QWidget*>("cloud_histogram")->grab().toImage(); };
     const QImage of_distances = drawn_chart();
     QVERIFY(count_of(of_distances, render::mix(render::ink::paper, render::ink::primary, 0.6)) > 100);

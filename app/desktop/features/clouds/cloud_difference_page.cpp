@@ -14,6 +14,7 @@
 #include "features/clouds/cloud_widgets.h"
 #include "features/clouds/clouds.h"
 #include "look/pixels.h"
+#include "look/scrolled_page.h"
 #include "views/figure_view.h"
 #include "workbench/workbench.h"
 
@@ -146,6 +147,8 @@ void CloudDifferencePage::follow(const CloudEntry* cloud) {
     following_ = false;
   }
   show_histogram(distances.get());
+  if (distances && distances != shown_) scroll_to(*export_);  // the foot of what is new
+  shown_ = distances;
 }
 
 bool CloudDifferencePage::of_height() const { return show_->currentData().toString().toStdString() == rise_column; }

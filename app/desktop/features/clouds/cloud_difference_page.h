@@ -49,6 +49,7 @@ class CloudDifferencePage : public QWidget {
   QLabel* said_;
   FigureView* histogram_;
   QToolButton* export_;
+  std::shared_ptr<const CloudDistances> shown_;
   bool following_ = false;
 };
 

@@ -5,12 +5,11 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QScrollArea>
-#include <QTimer>
 #include <QVBoxLayout>
 
 #include "features/lesson/lesson_words.h"
 #include "features/lesson/wrapped_label.h"
+#include "look/scrolled_page.h"
 
 namespace bole::desktop {
 namespace {
@@ -79,12 +78,7 @@ void QuestionView::check() {
   const auto said = number_ ? guide_.answer_number(question_, number_->text())
                             : guide_.answer_choice(question_, choices_->checkedId());
   feedback_->set_words((said.right ? QStringLiteral("✓ ") : QString()) + said.text);
-  // Below the last question it would be out of sight; its place is known after the layout.
-  constexpr int layout_ms = 60;
-  QTimer::singleShot(layout_ms, this, [this] {
-    for (auto* above = parentWidget(); above; above = above->parentWidget())
-      if (auto* scroll = qobject_cast<QScrollArea*>(above)) return scroll->ensureWidgetVisible(feedback_);
-  });
+  scroll_to(*feedback_);  // below the last question it would be out of sight
 }
 
 }  // namespace bole::desktop
