@@ -82,7 +82,9 @@ void write_edits(const DataSet& inputs, const io::CloudBounds& core, const Run& 
   const auto edits = inputs.has("point_edits") ? point_edits_in(inputs.table("point_edits")) : std::vector<PointEdit>();
   if (edits.empty()) return;
   auto table = point_edit_table(edits, points_in(inputs.cloud("points"), core, run), run);
-  for (const char* name : {"applied", "tree_id"}) table.set(name, inputs.table("given").integers(name));
+  const auto& given = inputs.table("given");
+  table.set("lacks", given.texts("lacks"));
+  for (const char* name : {"tree_id", "given"}) table.set(name, given.integers(name));
   writer.write("point_edits.csv", [&](const auto& path) { io::write_table(path, table, io::table_decimals()); });
 }
 

@@ -60,13 +60,13 @@ pipeline::StageType pool_stage() {
       "A larger value lets the stems say more."}});
   pipeline::StageType t;
   t.name = "stems.pool_priors";
-  t.version = 5;
+  t.version = 4;
   t.vtk_class = "vtkBolePoolPriors";
   t.title = "Pool the priors";
   t.help =
       "Puts together what stems say in several parts of a cloud: the mean spread of passes and views that their "
-      "evidence allows, the mean range offset, how much the walk is too short, the place that stays where it is made "
-      "longer, and the middle noise. stems.measure takes the row in place of what it would learn from its own stems.";
+      "evidence allows, the mean range offset, how much the walk is too short and the "
+      "middle noise. stems.measure takes the row in place of what it would learn from its own stems.";
   t.source = "Bole";
   t.inputs = {{"evidence", DataKind::table, "Rows of stems.evidence, of all parts.", false, {}}};
   t.outputs = {{"priors", DataKind::table, "One row, for stems.measure.", false, {}, true}};

@@ -71,7 +71,7 @@ pipeline::StageType measure_stage() {
                {"slice", DataKind::cloud, "The slice, moved with the points where the walk was corrected.", true, {}},
                {"given",
                 DataKind::table,
-                "What became of the points that a person gave: edit, applied, tree_id, points.",
+                "What became of the points that a person gave: edit, lacks (a tree that is not there), tree_id, given.",
                 true,
                 {}}};
   t.options = &option_table(static_cast<const MeasureOptions*>(nullptr));

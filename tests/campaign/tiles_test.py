@@ -17,7 +17,7 @@ import small_forest
 from toy import BAD_INPUT, BOLE, DONE, ENGINE, Toy
 
 sys.path.insert(0, str(ENGINE))
-from bole_campaign import tile_merging  # noqa: E402
+from bole_campaign import tile_edits, tile_merging  # noqa: E402
 
 LOCAL = ("--engine", "local", "--workers", "2")
 TILE_M = 22.0
@@ -57,9 +57,12 @@ def edit(action, x, y, above_ground_m, size_m, **more):
 
 
 EAST, NORTH = 500000.0, 5400000.0
-# Tops that are no part of a tree, by two actions, a top that is given to its own tree and to one that is not there, and nothing at all.
-EDITS = [edit("to_no_tree", 16, 10, 13, [5, 5, 4]), edit("to_noise", 30, 10, 13, [5, 5, 5]), edit("to_tree", 7, 32, 12, [3, 3, 2], tree=[EAST + 7, NORTH + 32]),
-         edit("to_tree", 7, 32, 12, [3, 3, 2], tree=[EAST + 7, NORTH + 700]), edit("to_noise", 20, 20, 60, [2, 2, 2])]
+# Tops that are no part of a tree, by two actions; the top of a tree on a seam that is given to its neighbour in the tile beyond; to one that is not
+# there; nothing at all; and on a condition that no point meets.
+NEIGHBOUR = [EAST + 7.38, NORTH + 35.88]
+EDITS = [edit("to_no_tree", 16, 10, 13, [5, 5, 4]), edit("to_noise", 30, 10, 13, [5, 5, 5]), edit("to_tree", 7, 32, 13, [5, 5, 4], tree=NEIGHBOUR),
+         edit("to_tree", 7, 32, 12, [3, 3, 2], tree=[EAST + 7, NORTH + 700]), edit("to_noise", 20, 20, 60, [2, 2, 2]),
+         edit("to_no_tree", 16, 20, 1.3, [0.5, 0.5, 0.5], only_tree=NEIGHBOUR)]
 
 
 class Tiles(Toy):
@@ -114,15 +117,15 @@ class Tiles(Toy):
         rows = rows_of(single / "stems.csv")
         self.expect_whole(self.merged(), rows)
         ours, theirs, unedited = self.heights(self.merged()), self.heights(rows), self.heights(forest()[2])
-        self.assertEqual({place for place, height in theirs.items() if abs(height - unedited[place]) > 1}, {(500016.0, 5400010.0), (500030.0, 5400010.0)})
+        self.assertEqual({place for place, height in theirs.items() if abs(height - unedited[place]) > 1}, {(500016.0, 5400010.0), (500030.0, 5400010.0), (500007.0, 5400032.0)})
         for place, height in theirs.items():
             self.assertAlmostEqual(ours[place], height, delta=0.02, msg=place)
         edits = rows_of(self.out / "point_edits.csv")
         self.assertEqual([(r["action"], r["outcome"]) for r in edits], [(r["action"], r["outcome"]) for r in rows_of(single / "edits.csv")])
-        self.assertEqual([r["outcome"] for r in edits], ["applied", "applied", "applied", "conflict", "conflict"])
+        self.assertEqual([r["outcome"] for r in edits], ["applied", "applied", "applied", "conflict", "conflict", "conflict"])
         self.assertIn("edit 4 of points (to_tree) is not applied", told)
         self.assertIn("no point lies in its selection", edits[4]["message"])
-        at = min(self.merged(), key=lambda r: abs(float(r["x_m"]) - EAST - 7) + abs(float(r["y_m"]) - NORTH - 32))
+        at = min(self.merged(), key=lambda r: abs(float(r["x_m"]) - NEIGHBOUR[0]) + abs(float(r["y_m"]) - NEIGHBOUR[1]))
         self.assertEqual((edits[2]["tree_id"], edits[2]["author"]), (at["tree_id"], "A. Smith"))
         # An edit that is taken back measures anew what it reaches, and nothing else.
         begun = self.begun()[0]
@@ -187,6 +190,42 @@ class Documents(Toy):
         self.refused({**good, "pipeline": "edited.json"}, "half.json", "no JSON")
         self.document(good)
         self.assertIn("no LAS, LAZ or COPC file", self.run_all(*LOCAL, expect=BAD_INPUT))
+
+
+class EditsOfPoints(unittest.TestCase):
+    """Which tiles an edit may reach, and what is told of it."""
+
+    def test_the_box_of_each_form(self):
+        box = tile_edits.box_around
+        self.assertEqual(box({"centre": [10, 20, 0], "size_m": [4, 2, 9]}), (8, 19, 12, 21))
+        self.assertEqual(box({"centre": [10, 20, 0], "size_m": [6, 8, 9], "turn_deg": 30}), (5, 15, 15, 25))
+        self.assertEqual(box({"path": [[0, 0, 1], [4, 2, 1]], "radius_m": 0.5}), (-0.5, -0.5, 4.5, 2.5))
+        flat, upright = [[0, 0, 1], [4, 0, 1], [4, 3, 1]], [[0, 0, 0], [4, 0, 0], [4, 0, 3]]
+        self.assertEqual(box({"outline": flat}), (0, 0, 4, 3))
+        self.assertIsNone(box({"outline": upright}))
+        self.assertEqual(box({"outline": upright, "depth_m": [-1, 2]}), (0, -2, 4, 2))
+        self.assertIsNone(box({"outline": flat, "eye": [0, 0, 9]}))
+        self.assertEqual(box({"outline": upright, "within": [[1, -5, 0], [9, 5, 2]]}), (1, -5, 9, 5))
+        for wrong in ({"path": 3, "radius_m": 1}, {"centre": [1], "size_m": [1, 1, 1]}, {"outline": [[0, 0, 0]] * 3}, {}):
+            self.assertIsNone(box(wrong), wrong)
+        self.assertTrue(tile_edits.meets((8, 19, 12, 21), [12, 0, 20, 20], 0) and not tile_edits.meets((8, 19, 12, 21), [13, 0, 20, 20], 0.5))
+
+    def told(self, *rows, waiting=(), action="to_tree"):
+        named = [({"name": f"t{k}"}, dict(zip(("points", "given", "lacks"), row))) for k, row in enumerate(rows)]
+        return tile_edits.outcome({"action": action}, named, list(waiting), 10)
+
+    def test_what_became_of_it(self):
+        self.assertEqual(self.told((5, 5, ""), (0, 0, "tree")), ("applied", "5 points selected"))
+        self.assertEqual(self.told((5, 0, ""), action="to_noise")[0], "applied")
+        self.assertEqual(self.told((5, 0, ""))[1], "no point of its selection meets its condition")
+        self.assertEqual(self.told((0, 0, ""), (0, 0, "tree"))[1], "no point lies in its selection")
+        self.assertIn("3 of 8 points lie in tiles that do not see its tree (t1)", self.told((5, 5, ""), (3, 0, "tree"))[1])
+        self.assertEqual(self.told((5, 5, ""), (3, 0, "tree of the condition"))[0], "applied")  # no point there can be of it
+        for lacks in ("tree", "tree of the condition"):
+            self.assertIn("not among the stems", self.told((5, 0, lacks))[1])
+        state, message = self.told((5, 5, ""), waiting=["t7"])
+        self.assertEqual(state, "open")
+        self.assertIn("t7", message)
 
 
 class Ownership(unittest.TestCase):

@@ -6935,6 +6935,22 @@
             <translation>%1，或一种颜色，例如 #d98e04</translation>
         </message>
         <message>
+            <source>Bring it into the axes of the survey: align it in the window and save it</source>
+            <translation>请先在窗口中将其对齐到测量的坐标轴并保存</translation>
+        </message>
+        <message>
+            <source>clouds in the same axes</source>
+            <translation>坐标轴相同的点云</translation>
+        </message>
+        <message>
+            <source>the cloud beside the survey lies %1 km away</source>
+            <translation>旁置点云距测量 %1 km</translation>
+        </message>
+        <message>
+            <source>the points were moved with a walk that was made %1 % longer, and the slice was not: stems that are added lie off by %2 cm in 10 m. Connect the slice of stems.measure</source>
+            <translation>点已随加长 %1 % 的行走路径移动，而切片没有：添加的单木每 10 m 偏差 %2 cm。请连接 stems.measure 的切片</translation>
+        </message>
+        <message>
             <source>there is no walk to fly along</source>
             <translation>没有可沿其飞行的行走路径</translation>
         </message>

@@ -40,9 +40,31 @@ def edits_in(file, edits, place):
     return found + listed(edits if isinstance(edits, str) else json.dumps(edits), f"{place}: edits of points")
 
 
-def box_of(corners, reach):
+def box_of(corners, reach=(0, 0)):
     xs, ys = [c[0] for c in corners], [c[1] for c in corners]
     return min(xs) - reach[0], min(ys) - reach[1], max(xs) + reach[0], max(ys) + reach[1]
+
+
+def normal_of(corners):
+    """Of the plane of an outline, of length 1 (Newell)."""
+    n = [0.0, 0.0, 0.0]
+    for a, b in zip(corners, corners[1:] + corners[:1]):
+        for k in range(3):
+            i, j = (k + 1) % 3, (k + 2) % 3
+            n[k] += (a[i] - b[i]) * (a[j] + b[j])
+    length = math.hypot(*n)
+    return [v / length for v in n]
+
+
+def outline_box(edit):
+    """None where it is drawn in perspective, or reaches without end to a side."""
+    corners, depth = edit["outline"], edit.get("depth_m")
+    if "eye" in edit:
+        return None
+    normal = normal_of(corners)
+    if depth is None:
+        return box_of(corners) if abs(normal[2]) > 1 - 1e-9 else None
+    return box_of([[c[k] + d * normal[k] for k in range(3)] for c in corners for side in (-1, 1) for d in (side * depth[0], side * depth[1])])
 
 
 def box_around(edit):
@@ -50,15 +72,18 @@ def box_around(edit):
     boxes = []
     try:
         if "within" in edit:
-            boxes.append(box_of(edit["within"], (0, 0)))
+            boxes.append(box_of(edit["within"]))
+        if "outline" in edit:
+            boxes.append(outline_box(edit))
         if "centre" in edit:
             east, north, _ = edit["size_m"]
             turned = 0.5 * math.hypot(east, north)
             boxes.append(box_of([edit["centre"]], (turned, turned) if edit.get("turn_deg") else (0.5 * east, 0.5 * north)))
         if "path" in edit:
             boxes.append(box_of(edit["path"], (edit["radius_m"],) * 2))
-    except (KeyError, IndexError, TypeError, ValueError):
+    except (KeyError, IndexError, TypeError, ValueError, ZeroDivisionError):
         return None  # the stage says what is wrong with it
+    boxes = [box for box in boxes if box is not None]
     return (*(max(b[i] for b in boxes) for i in (0, 1)), *(min(b[i] for b in boxes) for i in (2, 3))) if boxes else None
 
 
@@ -95,52 +120,68 @@ def write_files(plan, tiles):
             folders.write_text(file_of(plan, numbered), text_of(numbered))
 
 
-def told_by_tiles(plan, measured):
-    """{number of the edit: [(tile, row)]}: of each measured tile what it selected in its core, and whether it found the tree."""
-    told = collections.defaultdict(list)
-    for tile in measured:
-        path = plan.done(f"{tile['name']}.stems") / "point_edits.csv"
-        if not path.exists():
-            continue
+def told_by_tiles(plan):
+    """{number of the edit: ([(tile, row)] of measured tiles, [names of tiles that are not])}. A row has what lies in the
+    selection and the core, and what the tile made of it."""
+    told = collections.defaultdict(lambda: ([], []))
+    for tile in plan.tiles():
         numbered = of_tile(plan.edits(), tile, plan.info["buffer_m"])
+        path = plan.done(f"{tile['name']}.stems") / "point_edits.csv"
+        if not numbered:
+            continue
+        if tile["name"] not in plan.numbered or not path.exists():
+            for number, _ in numbered:
+                told[number][1].append(tile["name"])
+            continue
         with open(path, encoding="utf-8-sig", newline="") as file:
             for (number, _), row in zip(numbered, csv.DictReader(file)):
-                told[number].append((tile, row))
+                told[number][0].append((tile, row))
     return told
 
 
-def outcome(told, buffer_m):
-    """(applied, message) of an edit."""
-    held = [(tile, row) for tile, row in told if int(row["points"]) > 0]
-    points = sum(int(row["points"]) for _, row in held)
+def outcome(edit, rows, waiting, buffer_m):
+    """(applied, conflict or open; message) of an edit."""
+    held = [(tile, row) for tile, row in rows if int(row["points"]) > 0]
+    points, given = (sum(int(row[name]) for _, row in held) for name in ("points", "given"))
+    gives_class = edit.get("action") in ("to_ground", "to_noise")
+    # Where the tree of a condition is not seen, no point is of it.
+    without = [(tile, row) for tile, row in held if row["lacks"] == "tree"]
+    if waiting:
+        return "open", f"tiles are not measured that it may reach: {', '.join(waiting[:5])}" + (", ..." if len(waiting) > 5 else "")
     if points == 0:
-        return False, "no point lies in its selection"
-    without = [(tile, row) for tile, row in held if row["applied"] != "1"]
-    if len(without) == len(held):
-        return False, "its tree is not among the stems of the tiles that hold its points: a tile sees its neighbours as far as its buffer reaches"
+        return "conflict", "no point lies in its selection"
+    if len(without) == len(held) or all(row["lacks"] for _, row in held):
+        return "conflict", "its tree is not among the stems of the tiles that hold its points: a tile sees its neighbours as far as its buffer reaches"
     if without:
         lost = sum(int(row["points"]) for _, row in without)
         names = ", ".join(tile["name"] for tile, _ in without)
-        return False, f"{lost} of {points} points lie in tiles that do not see its tree ({names}): buffer_m is {buffer_m:g}"
-    return True, f"{points} points selected"
+        return "conflict", f"{lost} of {points} points lie in tiles that do not see its tree ({names}): buffer_m is {buffer_m:g}"
+    if given == 0 and not gives_class:
+        return "conflict", "no point of its selection meets its condition"
+    return "applied", f"{points} points selected"
 
 
-def merge(plan, measured):
+def tree_number(plan, rows):
+    """In the whole, of the tree that an edit gave points to; 0: none."""
+    numbers = (plan.numbered[tile["name"]].get(int(row["tree_id"])) for tile, row in rows if int(row["tree_id"]) > 0)
+    return next((number for number in numbers if number), 0)
+
+
+def merge(plan):
     """Writes point_edits.csv. Returns what a person should know of edits that were not applied."""
     edits, notes, text = plan.edits(), [], io.StringIO()
     if not edits:
         (plan.out / "point_edits.csv").unlink(missing_ok=True)
         return []
-    told = told_by_tiles(plan, measured)
+    told = told_by_tiles(plan)
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(HEADING)
     for number, edit in enumerate(edits, 1):
-        applied, message = outcome(told[number], plan.info["buffer_m"])
-        own = next((plan.numbered[tile["name"]].get(int(row["tree_id"])) for tile, row in told[number] if int(row["tree_id"]) > 0), None)
-        tree = edit.get("tree") or [None, None]
-        writer.writerow([number, own or 0, *("" if v is None else v for v in tree[:2]), edit.get("action", ""), "applied" if applied else "conflict", message,
-                         *(edit.get(name, "") for name in ("author", "time", "reason"))])
-        if not applied:
+        rows, waiting = told[number]
+        state, message = outcome(edit, rows, waiting, plan.info["buffer_m"])
+        tree = edit["tree"][:2] if isinstance(edit.get("tree"), list) else ["", ""]
+        writer.writerow([number, tree_number(plan, rows), *tree, edit.get("action", ""), state, message, *(edit.get(name, "") for name in ("author", "time", "reason"))])
+        if state == "conflict":
             notes.append(f"edit {number} of points ({edit.get('action', '')}) is not applied as a whole: {message}")
     folders.write_text(plan.out / "point_edits.csv", text.getvalue())
     return notes

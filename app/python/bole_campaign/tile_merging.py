@@ -174,7 +174,7 @@ def merge(plan, ledger=None):
     rows, notes = plan.rows(), []
     best = number_trees(plan)
     write_stems(plan, best)
-    notes += tile_edits.merge(plan, [tile for tile in plan.tiles() if tile["name"] in plan.numbered])
+    notes += tile_edits.merge(plan)
     counts = collections.Counter(m.tile["name"] for m in best)
     for row in rows:
         row["stems"] = counts.get(row["input_id"], 0) if row["input_id"] in plan.numbered else None

@@ -37,6 +37,8 @@ class TilePlan(planning.Plan):
         self.info = info
         self.tasks = [self._cut()]
         self._read = (None, [])  # tiles.csv, by its stamp
+        if self.edits():
+            self.results = (*self.results, "point_edits.csv")
         self.numbered = None  # of the last merge: {tile: {tree_id in it: number}}
 
     rows_are, results = "tiles and steps", ("stems.csv", "campaign.gpkg", "campaign.html", "terrain.vrt", "tiles")

@@ -73,6 +73,8 @@ class TiledCampaign(Campaign):
     def _take_stages(self, place):
         stages = self.pipeline.stages
         name = pathlib.Path(self.pipeline.path).stem
+        if sum(stage["type"] == EDITS_OF_POINTS for stage in stages.values()) > 1:
+            raise bad_input(f"{place}: the pipeline '{name}' has more than one stage {EDITS_OF_POINTS}", "one at most", "Put their edits into one")
         for kind in ("io.read_cloud", "ground.model", "stems.measure"):
             if sum(stage["type"] == kind for stage in stages.values()) != 1:
                 raise bad_input(f"{place}: the pipeline '{name}' has no single stage {kind}", "a pipeline from a cloud to its stems", "Use stem_map_from_cloud")

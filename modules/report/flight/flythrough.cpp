@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -55,6 +56,23 @@ std::optional<render::Color> plain_color(const std::string& text) {
   return render::hex(rgb);
 }
 
+Eigen::AlignedBox2d plan_box(const PointCloud& cloud) {
+  Eigen::AlignedBox2d box;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (const Eigen::Vector3d p = cloud.position(i); p.allFinite()) box.extend(Eigen::Vector2d(p.head<2>()));
+  return box;
+}
+
+// A far cloud would leave the survey no depth to be drawn in.
+void check_near(const PointCloud& survey, const PointCloud& beside) {
+  constexpr double far_m = 1000;
+  const auto a = plan_box(survey), b = plan_box(beside);
+  if (a.isEmpty() || b.isEmpty()) return;
+  if (const double m = a.exteriorDistance(b); m > far_m)
+    throw bad_input(fmt::format("the cloud beside the survey lies {:.1f} km away", m / 1000), "clouds in the same axes",
+                    "Bring it into the axes of the survey: align it in the window and save it");
+}
+
 pipeline::StageResult run_flythrough(const DataSet& inputs, const FlythroughOptions& o, const Run& run) {
   if (run.output_dir.empty())
     throw bad_input("there is no folder for the frames", "an output folder", "Give it with --out DIR");
@@ -65,7 +83,10 @@ pipeline::StageResult run_flythrough(const DataSet& inputs, const FlythroughOpti
   if (inputs.has("trajectory")) data.trajectory = &inputs.trajectory("trajectory");
   pipeline::StageResult result;
   std::vector<render::BesideCloud> beside;
-  if (inputs.has("beside")) beside.push_back(beside_cloud(inputs.cloud("beside"), o));
+  if (inputs.has("beside")) {
+    check_near(*data.points, inputs.cloud("beside"));
+    beside.push_back(beside_cloud(inputs.cloud("beside"), o));
+  }
   result.report =
       write_flythrough(data, flight_of(o, data.trajectory, stops_in(o.views)), o, run.output_dir, run, beside);
   return result;

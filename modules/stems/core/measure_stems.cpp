@@ -12,7 +12,6 @@
 #include <thread>
 #include <utility>
 
-#include "cloud/core/walk_facts.h"
 #include "cloud/known_facts.h"
 #include "cloud/large_cloud.h"
 #include "stems/core/detect/ray_test.h"
@@ -38,6 +37,7 @@ namespace bole::stems {
 namespace {
 
 constexpr int max_alignments = 2, max_stretchings = 2, max_looks = 2;
+constexpr std::size_t min_stems_to_settle = 3;
 constexpr double unknown_once_aligned_m = 0.0007;  // of all radii alike: displacements take up some of the range offset
 constexpr double max_learnt_noise_m = 0.035;       // of the residuals' scale
 
@@ -72,11 +72,9 @@ class Survey {
     if (priors.learnt) refit_all(priors);
     put_back_repeated(priors);
     accept();
+    const bool sensor = rays_.has_sensor(), along_rays = fits_along_rays(rays_, options_);
     label();
-    report_survey(
-        out_,
-        {layer_.size(), circles_, tried_, rays_.has_sensor(), fits_along_rays(rays_, options_), moved_m_, noise_m_},
-        options_);
+    report_survey(out_, {layer_.size(), circles_, tried_, sensor, along_rays, moved_m_, noise_m_}, options_);
     return std::move(out_);
   }
 
@@ -130,6 +128,8 @@ class Survey {
   // A walk that the map makes too short lays far stems beyond near ones. False when nothing was moved.
   bool take_out_stretch() {
     if (!rays_.has_sensor() || !fits_along_rays(rays_, options_)) return false;
+    if (pooled_ == nullptr && taken_out_ != 0 && telling().size() < min_stems_to_settle)
+      return false;  // stays as it is
     const auto stretch = pooled_ != nullptr ? pooled_->range_stretch.value_or(RangeStretchPrior{})
                                             : learn_range_stretch(fitted_, options_, taken_out_);
     const double more = stretch.mean - taken_out_;
@@ -140,8 +140,9 @@ class Survey {
     return moves;
   }
 
-  // Poses that SLAM estimated are at fault themselves; else it may be the ranges.
-  bool lengthens() const { return pose_origin(input_.facts) == PoseOrigin::estimated; }
+  // Poses that SLAM estimated are at fault themselves; else it may be the ranges. A part of a cloud keeps its place
+  // beside the others.
+  bool lengthens() const { return pooled_ == nullptr && pose_origin(input_.facts) == PoseOrigin::estimated; }
 
   void take_out(double more) {
     if (!has_sensor_columns(points_)) add_sensor_columns(points_, sensor_of_point(), run_);
@@ -150,20 +151,33 @@ class Survey {
       points_ = without_stretch(points_, more, run_);
       return;
     }
-    if (out_.walk.share == 0)
-      out_.walk.still =
-          pooled_ != nullptr ? pooled_->still : still_place(stretched_stems(fitted_, options_, points_.origin));
-    points_ = lengthened(points_, nullptr, {more, out_.walk.still}, run_), out_.walk.share += more;
+    if (out_.walk.share == 0) out_.walk.still = still_place(stretched_stems(fitted_, options_, points_.origin));
+    const WalkStretch step{more, out_.walk.still};
+    points_ = lengthened(points_, nullptr, step, run_), out_.walk.share += more;
+    for (auto& s : fitted_) move_candidate(s.candidate, step);
     lengthened_dem_ = lengthened(input_dem_, out_.walk), dem_ = &lengthened_dem_;
+  }
+
+  // So that its stem is looked for where it lies now.
+  void move_candidate(StemCandidate& c, const WalkStretch& step) const {
+    const Eigen::Vector2d still = step.still - points_.origin.head<2>();
+    c.x += step.share * (c.x - still.x()), c.y += step.share * (c.y - still.y());
+  }
+
+  // The stems that tell the stretch.
+  std::vector<StemCandidate> telling() const {
+    std::vector<StemCandidate> out;
+    for (const auto& s : fitted_)
+      if (tells_range_stretch(s) && !objection(s, options_)) out.push_back(s.candidate);
+    return out;
   }
 
   // The stems that are known say what is left of the stretch: only then is a search of the whole cloud worth its time.
   void settle_stretch() {
     if (pooled_ != nullptr) return;
     for (int look = 0; look < max_looks; ++look) {
-      candidates_.clear();
-      for (const auto& s : fitted_)
-        if (tells_range_stretch(s) && !objection(s, options_)) candidates_.push_back(s.candidate);
+      candidates_ = telling();
+      if (candidates_.size() < min_stems_to_settle) return;
       fitted_.clear();
       read_layer();
       rays_ = rays_of(points_, trajectory_, layer_, run_);
@@ -355,11 +369,9 @@ class Survey {
     measure_crowns(out_.stems, points_, labels, run_, out_.report);
     out_.tops = measure_tops(out_.stems, points_, labels, growth, sensor_of_point(), run_, out_.report);
     measure_volumes(out_.stems, breast_height_, run_, out_.report);
+    rays_ = {}, points_ = {};  // before the copy of a large cloud
     out_.points = input_;
-    if (out_.walk.share != 0) {
-      out_.points = lengthened(input_, trajectory_, out_.walk, run_);
-      set_fact(out_.points.facts, facts::walk_lengthened, 100 * out_.walk.share);
-    }
+    if (out_.walk.share != 0) out_.points = lengthened(input_, trajectory_, out_.walk, run_);
     out_.points.set_column(arrays::tree_id, std::move(labels.tree_id));
     out_.points.set_column(arrays::stem, std::move(labels.stem));
   }
@@ -370,7 +382,10 @@ class Survey {
     std::vector<TreePlace> trees;
     for (const auto& s : out_.stems) trees.push_back({s.id, (points_.origin + s.breast_height).head<2>()});
     std::vector<std::uint8_t> by_hand;
-    out_.given = give_points(points_, given_, trees, labels, run_, &by_hand);
+    auto now = give_points(points_, given_, trees, labels, run_, &by_hand);
+    // The second time points have their trees already, which a condition may ask for.
+    for (std::size_t i = 0; i < out_.given.size(); ++i) now[i].points = std::max(now[i].points, out_.given[i].points);
+    out_.given = std::move(now);
     if (growth == nullptr || growth->lead_m.size() != by_hand.size()) return;
     for (std::size_t i = 0; i < by_hand.size(); ++i)
       if (by_hand[i] != 0) growth->lead_m[i] = std::numeric_limits<float>::infinity();

@@ -56,8 +56,8 @@ Table stem_table(const StemSurvey& survey);
 Table section_table(const StemSurvey& survey);
 Table rejected_table(const StemSurvey& survey);
 
-// What became of the points that a person gave: edit (from 1), applied (0: its tree is not among the stems), tree_id,
-// points. Edits that give a class are none of the stems, and count as applied.
+// What became of the points that a person gave: edit (from 1), lacks ("tree" or "tree of the condition" where that is
+// not among the stems and nothing was given), tree_id, given (points). Edits that give a class are none of the stems.
 Table given_table(const StemSurvey& survey, const std::vector<PointEdit>& edits);
 
 }  // namespace bole::stems

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cloud/core/whole/whole_cloud.h"
 #include "cloud/edit_list.h"
 
 namespace bole::survey {
@@ -20,6 +21,7 @@ EditedPoints edit_points(const PointCloud& cloud, const std::vector<PointEdit>& 
   const auto points = out.table.integers("points");
   auto& report = out.report;
   std::int64_t empty = 0;
+  const bool is_part = whole_of(cloud.facts).has_value();
   for (std::size_t i = 0; i < edits.size(); ++i) {
     const auto name = fmt::format("edit {} ({})", i + 1, action_name(edits[i].action));
     if (points[i] > 0) {
@@ -28,6 +30,7 @@ EditedPoints edit_points(const PointCloud& cloud, const std::vector<PointEdit>& 
       continue;
     }
     ++empty;
+    if (is_part) continue;  // it lies in another part
     report.find(Severity::look, "selection_empty",
                 fmt::format("{} changes nothing: its selection holds none of {} points. The cloud or its axes are not "
                             "those that it was made with: delete the edit or make it again",

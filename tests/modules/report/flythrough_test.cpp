@@ -1,13 +1,16 @@
 // Films of a survey: frames, the video, and what is missing for them.
 #include <unistd.h>
 
+#include <gdal_priv.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <sstream>
 
 #include "base/error.h"
@@ -24,6 +27,23 @@ std::string bytes_of(const fs::path& path) {
   std::ostringstream text;
   text << std::ifstream(path, std::ios::binary).rdbuf();
   return text.str();
+}
+
+// Pixels of a frame where this band stands out: 0 red, 2 blue.
+int pixels_like(const fs::path& frame, int band) {
+  GDALAllRegister();
+  const std::unique_ptr<GDALDataset> png(GDALDataset::FromHandle(GDALOpen(frame.c_str(), GA_ReadOnly)));
+  if (!png || png->GetRasterCount() < 3) return -1;
+  const int w = png->GetRasterXSize(), h = png->GetRasterYSize();
+  std::array<std::vector<std::uint8_t>, 3> rgb;
+  for (int b = 0; b < 3; ++b) {
+    rgb[b].resize(static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
+    if (png->GetRasterBand(b + 1)->RasterIO(GF_Read, 0, 0, w, h, rgb[b].data(), w, h, GDT_Byte, 0, 0) != CE_None)
+      return -1;
+  }
+  int n = 0;
+  for (std::size_t i = 0; i < rgb[0].size(); ++i) n += rgb[band][i] > rgb[2 - band][i] + 60 && rgb[band][i] > rgb[1][i] + 60;
+  return n;
 }
 
 class Flythrough : public testing::Test {
@@ -105,12 +125,43 @@ TEST_F(Flythrough, ACloudBesideTheSurveyIsInItsColour) {
     films.push_back(bytes_of(folder_ / color / "flythrough/frame_00001.png"));
     EXPECT_NE(films.back(), bytes_of(folder_ / "a/flythrough/frame_00001.png")) << color;
   }
-  EXPECT_NE(films[0], films[1]);
   EXPECT_NE(films[1], films[2]);
+  EXPECT_GT(pixels_like(folder_ / "#ff0000/flythrough/frame_00001.png", 0), 50);
+  EXPECT_EQ(pixels_like(folder_ / "#ff0000/flythrough/frame_00001.png", 2), 0);
+  EXPECT_GT(pixels_like(folder_ / "#0000ff/flythrough/frame_00001.png", 2), 50);
   options_.beside_color = "#ff00";
   EXPECT_THROW(
       try { beside_cloud(other, options_); } catch (const Error& e) {
         EXPECT_THAT(e.what(), testing::AllOf(testing::HasSubstr("'#ff00'"), testing::HasSubstr("z or a colour")));
+        throw;
+      },
+      Error);
+}
+
+TEST_F(Flythrough, TheStageTakesACloudBesideTheSurveyThatIsNear) {
+  const auto stage = flythrough_stage();
+  PointCloud other({{2, 5, 0}, {3, 5, 1}, {4, 5, 2}});
+  const auto film = [&](const fs::path& to) {
+    DataSet inputs;
+    inputs.set("points", cloud_), inputs.set("trajectory", walk_), inputs.set("beside", other);
+    bole::Run run;
+    run.output_dir = to;
+    OptionSet options(*stage.options);
+    for (const auto& [name, value] : {std::pair("width", "96"),
+                                      {"height", "54"},
+                                      {"seconds", "0.1"},
+                                      {"point_size", "20"},
+                                      {"beside_color", "#ff0000"}})
+      options.set_text(name, value);
+    fs::create_directories(to);
+    stage.run(inputs, options, run);
+  };
+  film(folder_ / "near");
+  EXPECT_GT(pixels_like(folder_ / "near/flythrough/frame_00001.png", 0), 0);
+  other.origin = {500000, 5400000, 0};
+  EXPECT_THROW(
+      try { film(folder_ / "far"); } catch (const Error& e) {
+        EXPECT_THAT(e.what(), testing::HasSubstr("km away"));
         throw;
       },
       Error);

@@ -10,7 +10,9 @@
 #include "base/arrays.h"
 #include "base/no_number.h"
 #include "cloud/breast_height.h"
+#include "cloud/core/walk_facts.h"
 #include "cloud/edit_list.h"
+#include "cloud/known_facts.h"
 #include "cloud/stem_rows.h"
 #include "stems/core/edits/edited_points.h"
 #include "stems/core/edits/plot_numbers.h"
@@ -48,6 +50,7 @@ class Editor {
   }
 
   EditedStems run(const std::vector<StemEdit>& edits) {
+    if (!edits.empty()) check_slice();
     for (std::size_t i = 0; i < edits.size(); ++i) {
       run_.check_cancel();
       run_.report(0.5 * static_cast<double>(i) / static_cast<double>(edits.size()), "applying edits");
@@ -75,6 +78,18 @@ class Editor {
   }
 
  private:
+  // The slice of the stage before the measurement is not moved with the points of a walk that is made longer.
+  void check_slice() {
+    if (in_.slice == nullptr || in_.points == nullptr) return;
+    const auto moved = [](const PointCloud& c) { return fact_number(c.facts, facts::walk_lengthened).value_or(0); };
+    const double off_pct = moved(*in_.points) - moved(*in_.slice);
+    if (std::abs(off_pct) < 1e-3) return;
+    report_.find(Severity::look, "slice_not_moved",
+                 fmt::format("the points were moved with a walk that was made {:.2f} % longer, and the slice was not: "
+                             "stems that are added lie off by {:.1f} cm in 10 m. Connect the slice of stems.measure",
+                             off_pct, 10 * std::abs(off_pct)));
+  }
+
   static Table empty_log() {
     Table t;
     t.set("edit", std::vector<std::int64_t>{}), t.set("action", std::vector<std::string>{});

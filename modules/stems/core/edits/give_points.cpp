@@ -17,8 +17,8 @@ struct GiveStep {
   std::optional<int> only_class;
 };
 
-// Nothing where a tree that is named is not there.
-std::optional<GiveStep> step_of(const PointEdit& edit, const std::vector<TreePlace>& trees) {
+// Nothing where a tree that is named is not there; `out` says which.
+std::optional<GiveStep> step_of(const PointEdit& edit, const std::vector<TreePlace>& trees, GivenPoints& out) {
   GiveStep step{RegionTest(edit.region), 0, {}, edit.only_class};
   if (edit.action == PointEdit::Action::to_tree) {
     const auto id = tree_at(trees, edit.tree);
@@ -28,7 +28,8 @@ std::optional<GiveStep> step_of(const PointEdit& edit, const std::vector<TreePla
   if (edit.only_free) step.only_tree = 0;
   if (edit.only_tree) {
     step.only_tree = tree_at(trees, *edit.only_tree);
-    if (!step.only_tree) return {};
+    out.lacks_condition = !step.only_tree;
+    if (out.lacks_condition) return {};
   }
   return step;
 }
@@ -62,7 +63,7 @@ std::vector<GivenPoints> give_points(const PointCloud& cloud, const std::vector<
   if (given != nullptr) given->assign(cloud.size(), 0);
   for (std::size_t k = 0; k < edits.size(); ++k) {
     if (edits[k].gives_class()) continue;
-    const auto step = step_of(edits[k], trees);
+    const auto step = step_of(edits[k], trees, out[k]);
     if (!step) continue;
     const auto takes = [&](std::size_t i) {
       if (!classes.empty() && classes[i] != 0) return false;

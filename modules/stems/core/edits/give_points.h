@@ -26,6 +26,7 @@ std::optional<std::int32_t> tree_at(const std::vector<TreePlace>& trees, const E
 struct GivenPoints {
   std::optional<std::int32_t> tree;  // that the points were given to; 0: none. Empty: the edit was not applied
   std::int64_t points = 0;           // that were given, in all; later edits may have given them on
+  bool lacks_condition = false;      // not applied because the tree of its condition is not there
 };
 
 // Changes labels of points, one edit after another; edits that give a class are passed over, and so are points that

@@ -40,7 +40,6 @@ PooledPriors pool(const std::vector<StemEvidence>& stems, std::optional<double> 
   DriftLikelihoods sum{};
   std::vector<RangeOffsetEvidence> offsets;
   std::vector<RangeStretchEvidence> stretches;
-  std::vector<Eigen::Vector2d> stretched;
   std::vector<double> noise, expected;
   bool drifts = false;
   for (const auto& s : stems) {
@@ -49,7 +48,7 @@ PooledPriors pool(const std::vector<StemEvidence>& stems, std::optional<double> 
       for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += (*s.drift)[k];
     }
     if (s.range_offset.sd_m > 0) offsets.push_back(s.range_offset);
-    if (s.range_stretch.sd > 0) stretches.push_back(s.range_stretch), stretched.push_back(s.at);
+    if (s.range_stretch.sd > 0) stretches.push_back(s.range_stretch);
     if (s.noise_m > 0) noise.push_back(s.noise_m);
     if (s.range_offset_expected_m > 0) expected.push_back(s.range_offset_expected_m);
   }
@@ -58,7 +57,7 @@ PooledPriors pool(const std::vector<StemEvidence>& stems, std::optional<double> 
   if (!offsets.empty())
     out.range_offset =
         mean_range_offset(offsets, range_offset_sd_m.value_or(sd_m), out.drift.value_or(DriftPrior{}).view_sd_m);
-  if (!stretches.empty()) out.range_stretch = mean_range_stretch(stretches), out.still = still_place(stretched);
+  if (!stretches.empty()) out.range_stretch = mean_range_stretch(stretches);
   if (!noise.empty()) out.noise_m = upper_median(std::move(noise));
   return out;
 }
@@ -118,8 +117,6 @@ Table priors_table(const PooledPriors& priors, std::size_t stems) {
   add("range_offset_sd_m", priors.range_offset ? priors.range_offset->sd_m : no_number);
   add("range_stretch", priors.range_stretch ? priors.range_stretch->mean : no_number);
   add("range_stretch_sd", priors.range_stretch ? priors.range_stretch->sd : no_number);
-  add("still_x_m", priors.still.x());
-  add("still_y_m", priors.still.y());
   add("noise_m", priors.noise_m);
   return t;
 }
@@ -133,7 +130,6 @@ PooledPriors priors_in(const Table& table) {
   if (std::isfinite(pass) && std::isfinite(view)) out.drift = DriftPrior{pass, view};
   if (std::isfinite(offset) && std::isfinite(offset_sd)) out.range_offset = RangeOffsetPrior{offset, offset_sd};
   if (std::isfinite(stretch) && std::isfinite(stretch_sd)) out.range_stretch = RangeStretchPrior{stretch, stretch_sd};
-  out.still = {single(table, "still_x_m"), single(table, "still_y_m")};
   out.noise_m = std::isfinite(noise) ? noise : 0;
   return out;
 }

@@ -25,7 +25,6 @@ struct PooledPriors {
   std::optional<DriftPrior> drift;
   std::optional<RangeOffsetPrior> range_offset;
   std::optional<RangeStretchPrior> range_stretch;
-  Eigen::Vector2d still = Eigen::Vector2d::Zero();  // the place that stays where a walk is made longer
   double noise_m = 0;                               // 0: not known
 };
 

@@ -7,6 +7,9 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "cloud/core/walk_facts.h"
+#include "cloud/core/whole/whole_cloud.h"
+#include "cloud/known_facts.h"
 #include "stems/core/detect/sensor_positions.h"
 #include "stems/core/shared/drawn_mean.h"
 
@@ -55,6 +58,10 @@ PointCloud lengthened(const PointCloud& points, const Trajectory* trajectory, co
   run.check_cancel();
   PointCloud out = points;
   out.set_positions(std::move(positions));
+  out.scale.setZero();
+  forget_whole(out.facts);
+  set_fact(out.facts, facts::walk_lengthened,
+           100 * walk.share + fact_number(points.facts, facts::walk_lengthened).value_or(0));
   if (has_columns) out.set_column(arrays::sensor_x, std::move(x)), out.set_column(arrays::sensor_y, std::move(y));
   return out;
 }

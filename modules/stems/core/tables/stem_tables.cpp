@@ -50,6 +50,9 @@ Facts facts_of(const StemSurvey& survey) {
   if (!survey.points.crs_wkt.empty()) set_fact(facts, facts::crs, survey.points.crs_wkt);
   set_fact(facts, facts::breast_height, survey.breast_height_m);
   if (survey.range_stretch) set_fact(facts, facts::range_stretch, 100 * *survey.range_stretch);
+  // Of this run alone: a cloud that was corrected before tells it too.
+  facts.erase(std::string(facts::walk_lengthened.key));
+  if (survey.walk.share != 0) set_fact(facts, facts::walk_lengthened, 100 * survey.walk.share);
   return facts;
 }
 
@@ -138,18 +141,21 @@ Table rejected_table(const StemSurvey& survey) {
 
 Table given_table(const StemSurvey& survey, const std::vector<PointEdit>& edits) {
   Table t;
-  std::vector<std::int64_t> edit, applied, tree_id, points;
+  std::vector<std::int64_t> edit, tree_id, points;
+  std::vector<std::string> lacks;
   for (std::size_t i = 0; i < edits.size(); ++i) {
     const auto given = i < survey.given.size() ? survey.given[i] : GivenPoints{};
     edit.push_back(static_cast<std::int64_t>(i + 1));
-    applied.push_back(given.tree || edits[i].gives_class() ? 1 : 0);
+    lacks.emplace_back(given.lacks_condition                  ? "tree of the condition"
+                       : given.tree || edits[i].gives_class() ? ""
+                                                              : "tree");
     tree_id.push_back(given.tree.value_or(0));
     points.push_back(given.points);
   }
   t.set("edit", std::move(edit));
-  t.set("applied", std::move(applied));
+  t.set("lacks", std::move(lacks));
   t.set("tree_id", std::move(tree_id));
-  t.set("points", std::move(points));
+  t.set("given", std::move(points));
   return t;
 }
 
