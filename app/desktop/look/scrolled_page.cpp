@@ -23,7 +23,7 @@ void scroll_to(QWidget& widget) {
   constexpr int layout_ms = 60;
   QTimer::singleShot(layout_ms, &widget, [&widget] {
     for (auto* above = widget.parentWidget(); above; above = above->parentWidget())
-      if (auto* scroll = qobject_cast<QScrollArea*>(above)) return scroll->ensureWidgetVisible(&widget);
+      if (auto* scroll = qobject_cast<QScrollArea*>(above)) return scroll->ensureWidgetVisible(&widget, 0, 0);
   });
 }
 

@@ -206,7 +206,7 @@ class CloudAlignTest : public CloudsWindow {
     clouds().place(id, shifted(-0.3, 0, -0.25));
     window_->findChild<QTabWidget*>("cloud_pages")->setCurrentIndex(3);
     const QSize whole = window_->size();
-    window_->resize(1280, 720);
+    window_->resize(1280, 850);
     window_->findChild<QDoubleSpinBox*>("cloud_distance_within")->setValue(2);
     window_->commands().trigger("clouds.measure_distances");
     QTRY_VERIFY_WITH_TIMEOUT(!clouds().jobs().busy(), 60000);

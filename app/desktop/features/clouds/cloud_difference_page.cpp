@@ -147,7 +147,7 @@ void CloudDifferencePage::follow(const CloudEntry* cloud) {
     following_ = false;
   }
   show_histogram(distances.get());
-  if (distances && distances != shown_) scroll_to(*export_);  // the foot of what is new
+  if (distances && distances != shown_) scroll_to(*histogram_);
   shown_ = distances;
 }
 
