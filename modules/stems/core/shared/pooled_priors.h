@@ -25,7 +25,7 @@ struct PooledPriors {
   std::optional<DriftPrior> drift;
   std::optional<RangeOffsetPrior> range_offset;
   std::optional<RangeStretchPrior> range_stretch;
-  double noise_m = 0;                               // 0: not known
+  double noise_m = 0;  // 0: not known
 };
 
 // `range_offset_sd_m`: MeasureOptions::range_offset_sd; without a value what the stems say is expected of their sensor.
