@@ -30,7 +30,8 @@ Eigen::Vector2d still_place(const std::vector<Eigen::Vector2d>& stems);
 
 // The cloud of a walk that is made longer in the plan: every point goes with the place it was seen from, and so do
 // sensor_x and sensor_y. Ranges stay as they were measured. Without these columns the places come from `trajectory`,
-// which may be null, and the times of the points; points without a sensor stay. The fact walk_lengthened adds up. Throws Error{cancelled}.
+// which may be null, and the times of the points; points without a sensor stay. The fact walk_lengthened adds up.
+// Throws Error{cancelled}.
 PointCloud lengthened(const PointCloud& points, const Trajectory* trajectory, const WalkStretch& walk, const Run& run);
 
 // The cloud with every point moved in the plan towards its sensor by `stretch` of its distance in the plan: for maps
