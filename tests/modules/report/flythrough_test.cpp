@@ -42,7 +42,8 @@ int pixels_like(const fs::path& frame, int band) {
       return -1;
   }
   int n = 0;
-  for (std::size_t i = 0; i < rgb[0].size(); ++i) n += rgb[band][i] > rgb[2 - band][i] + 60 && rgb[band][i] > rgb[1][i] + 60;
+  for (std::size_t i = 0; i < rgb[0].size(); ++i)
+    n += rgb[band][i] > rgb[2 - band][i] + 60 && rgb[band][i] > rgb[1][i] + 60;
   return n;
 }
 
