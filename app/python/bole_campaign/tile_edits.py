@@ -179,7 +179,7 @@ def merge(plan):
     for number, edit in enumerate(edits, 1):
         rows, waiting = told[number]
         state, message = outcome(edit, rows, waiting, plan.info["buffer_m"])
-        tree = edit["tree"][:2] if isinstance(edit.get("tree"), list) else ["", ""]
+        tree = edit["tree"] if isinstance(edit.get("tree"), list) and len(edit["tree"]) == 2 else ["", ""]
         writer.writerow([number, tree_number(plan, rows), *tree, edit.get("action", ""), state, message, *(edit.get(name, "") for name in ("author", "time", "reason"))])
         if state == "conflict":
             notes.append(f"edit {number} of points ({edit.get('action', '')}) is not applied as a whole: {message}")
