@@ -122,6 +122,7 @@ void register_frame(pipeline::StageRegistry& registry) {
   type.outputs = {{"points", DataKind::cloud, "The map in plot axes, or levelled.", false, {}},
                   {"trajectory", DataKind::trajectory, "The path in the same axes.", true, {}},
                   {"targets", DataKind::table, "Targets found: name, x_m, y_m, z_m, points.", false, {}}};
+  type.version = 2;
   type.options = &option_table(static_cast<const FrameOptions*>(nullptr));
   type.run = run_frame;
   registry.add(std::move(type));

@@ -22,6 +22,8 @@ struct TargetPlotRecipe {
   bool clutter = true;  // a sign, a jacket, glints
   bool intensity = true, sensor_positions = true;
   double noise_m = 0.02;
+  double bend_m = 0;           // drift of the map along the walk, in the targets only
+  bool moving_jacket = false;  // a helper beside the walk, 2 m ahead of the sensor
   unsigned seed = 1;
 };
 
@@ -103,9 +105,10 @@ class TargetPlotMaker {
       const Eigen::Vector2d to_sensor = pose.translation().head<2>() - at;
       if (to_sensor.norm() > 15) continue;
       const double towards = std::atan2(to_sensor.y(), to_sensor.x());
+      const double bent = r_.bend_m * static_cast<double>(&pose - walk_.data()) / static_cast<double>(walk_.size());
       for (int i = 0; i < 12; ++i) {
         const double a = towards + std::asin(uniform(-1, 1));
-        add({at.x() + 0.1 * std::cos(a), at.y() + 0.1 * std::sin(a), height(at.x(), at.y()) + uniform(1.2, 1.5)},
+        add({at.x() + bent + 0.1 * std::cos(a), at.y() + 0.1 * std::sin(a), height(at.x(), at.y()) + uniform(1.2, 1.5)},
             uniform(180, 255), pose);
       }
     }
@@ -118,8 +121,18 @@ class TargetPlotMaker {
     for (int i = 0; i < 400; ++i)
       add({-6.0 + uniform(-0.2, 0.2), 5.0, height(-6, 5) + uniform(1, 1.5)}, uniform(110, 250),
           walk_[60]);  // a jacket, seen from one place
+    if (r_.moving_jacket) moving_jacket();
     for (int i = 0; i < 30; ++i)
       add({uniform(-half_m, half_m), uniform(-half_m, half_m), uniform(0, 5)}, 140, any_pose());  // glints
+  }
+
+  void moving_jacket() {
+    for (std::size_t k = 0; k + 1 < walk_.size(); ++k)
+      for (double u = 0; u < 1; u += 0.02) {
+        Pose pose = walk_[k];
+        pose.translation() += u * (walk_[k + 1].translation() - walk_[k].translation());
+        add(pose.translation() + Eigen::Vector3d(2 + uniform(-0.2, 0.2), 0, uniform(-0.3, 0)), uniform(110, 250), pose);
+      }
   }
 
   TargetPlot moved(const Pose& T_map_plot) {

@@ -11335,6 +11335,18 @@
             <translation>%1 个点，min_target_points 为 %2</translation>
         </message>
         <message>
+            <source>the target at (%1, %2, %3) is %4 m long as seen from one position and %5 m in the map: the map is bent or doubled there, and its axes are only as good as that</source>
+            <translation>位于 (%1, %2, %3) 的标靶从一个位置看长 %4 m，在地图中长 %5 m：地图在该处弯曲或重影，其坐标轴的精度不会更好</translation>
+        </message>
+        <message>
+            <source>not taken for the other target: %1</source>
+            <translation>未作为另一个标靶：%1</translation>
+        </message>
+        <message>
+            <source>%1 m long in the map and %2 m as seen from one position: it moves, or the map is bent</source>
+            <translation>在地图中长 %1 m，从一个位置看长 %2 m：它在移动，或地图弯曲</translation>
+        </message>
+        <message>
             <source>%1 m long, target_size is %2 m</source>
             <translation>长 %1 m，target_size 为 %2 m</translation>
         </message>

@@ -3188,8 +3188,8 @@
             <translation>标靶上强回波的最少数量。</translation>
         </message>
         <message>
-            <source>Greatest extent of a target. Larger groups of strong returns (signs, vehicles) are rejected.</source>
-            <translation>标靶的最大尺寸。更大的强回波群(标志牌、车辆)被拒绝。</translation>
+            <source>Greatest extent of a target as one position sees it. Larger groups of strong returns (signs, vehicles) are rejected.</source>
+            <translation>从一个位置看到的标靶的最大尺寸。更大的强回波群(标志牌、车辆)被拒绝。</translation>
         </message>
         <message>
             <source>A target must be seen from sensor positions at least this far apart. This rejects reflective jackets and glints; it is not checked where the cloud has no sensor positions.</source>

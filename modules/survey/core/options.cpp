@@ -27,7 +27,8 @@ const OptionTable& option_table(const FrameOptions*) {
                         Unit::metre,
                         {0.05, 5.0},
                         Tier::advanced,
-                        "Greatest extent of a target. Larger groups of strong returns (signs, vehicles) are rejected."},
+                        "Greatest extent of a target as one position sees it. Larger groups of strong returns (signs, "
+                        "vehicles) are rejected."},
       Option<S, double>{"target_views",
                         &S::target_views,
                         Unit::metre,

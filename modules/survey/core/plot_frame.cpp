@@ -60,11 +60,13 @@ class FrameFinder {
     std::vector<RetroCluster> candidates;
     for (auto& c : search.clusters) {
       if (c.rejected.empty())
-        candidates.push_back(c);
+        tell_blur(c), candidates.push_back(c);
       else if (c.points >= static_cast<std::size_t>(options_.min_target_points))
-        frame_.report.facts[fmt::format("rejected_{}", ++rejected_)] = fmt::format(
-            "strong returns at ({:.2f}, {:.2f}, {:.2f}): {}", c.centre.x(), c.centre.y(), c.centre.z(), c.rejected);
+        rejected_.push_back(fmt::format("strong returns at ({:.2f}, {:.2f}, {:.2f}): {}", c.centre.x(), c.centre.y(),
+                                        c.centre.z(), c.rejected));
     }
+    for (std::size_t i = 0; i < rejected_.size(); ++i)
+      frame_.report.facts[fmt::format("rejected_{}", i + 1)] = rejected_[i];
     frame_.report.counts["strong_points"] = static_cast<std::int64_t>(search.strong_points);
     frame_.report.counts["target_candidates"] = static_cast<std::int64_t>(candidates.size());
     for (auto& c : candidates) c.centre = levelled_centre(c);
@@ -73,7 +75,17 @@ class FrameFinder {
       start = R_level_map_ * trajectory_->poses.front().T_target_sensor.translation();
     auto choice = choose_targets(candidates, start, options_);
     for (const auto& w : choice.warnings) frame_.report.warn(w);
+    if (choice.targets.size() == 1 && !rejected_.empty())
+      frame_.report.warn(fmt::format("not taken for the other target: {}", rejected_.front()));
     return choice;
+  }
+
+  void tell_blur(const RetroCluster& c) {
+    if (c.extent_m <= options_.target_size) return;
+    frame_.report.warn(
+        fmt::format("the target at ({:.2f}, {:.2f}, {:.2f}) is {:.2f} m long as seen from one position and {:.2f} m in "
+                    "the map: the map is bent or doubled there, and its axes are only as good as that",
+                    c.centre.x(), c.centre.y(), c.centre.z(), c.seen_extent_m, c.extent_m));
   }
 
   // The axis of a round post where that is what was seen, else the mean; its height is that of the mean.
@@ -170,7 +182,8 @@ class FrameFinder {
   Vertical vertical_;
   Eigen::Matrix3d R_level_map_ = Eigen::Matrix3d::Identity();
   PlotFrame frame_;
-  int rejected_ = 0, posts_ = 0;
+  std::vector<std::string> rejected_;  // most views first
+  int posts_ = 0;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "base/statistics.h"
 #include "cloud/robust_mean.h"
 #include "cloud/voxels.h"
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double link_cell_m = 0.1;  // points of touching cells belong together: gaps of 0.1 to 0.2 m are bridged
 constexpr double view_cell_m = 1.0;
+constexpr double max_blur_m = 0.5;  // larger groups of small glimpses are things that move: a reflective jacket
 constexpr std::size_t max_strong_points = 20'000'000;
 
 struct SensorPositions {
@@ -82,6 +84,20 @@ double longest_extent(const PointCloud& cloud, const std::vector<std::uint32_t>&
   return along[along.size() - 1 - cut] - along[cut];
 }
 
+// Median over the positions (cells of the sensor's place, each pass apart) that saw it by at least min_seen points.
+double seen_extent(const PointCloud& cloud, const std::vector<std::uint32_t>& points,
+                   const std::vector<std::uint64_t>& views, double otherwise) {
+  constexpr std::size_t min_seen = 5;
+  const auto* passes = cloud.has(arrays::pass) ? &cloud.values<std::int32_t>(arrays::pass) : nullptr;
+  std::map<std::pair<std::uint64_t, std::int32_t>, std::vector<std::uint32_t>> seen;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    seen[{views[k], passes ? (*passes)[points[k]] : 0}].push_back(points[k]);
+  std::vector<double> extents;
+  for (const auto& [view, members] : seen)
+    if (members.size() >= min_seen) extents.push_back(longest_extent(cloud, members));
+  return extents.empty() ? otherwise : upper_median(std::move(extents));
+}
+
 RetroCluster describe(const PointCloud& cloud, const std::vector<std::uint32_t>& points,
                       const SensorPositions& sensor) {
   RetroCluster out;
@@ -97,6 +113,7 @@ RetroCluster describe(const PointCloud& cloud, const std::vector<std::uint32_t>&
     views.push_back(voxel_key(at, view_cell_m));
     ++by_view.try_emplace(views.back(), Eigen::Vector3d(Eigen::Vector3d::Zero()), 0.0).first->second.second;
   }
+  out.seen_extent_m = seen_extent(cloud, points, views, out.extent_m);
   out.views = static_cast<int>(by_view.size());
   out.view_span_m = sensor.known() ? (high - low).norm() : std::numeric_limits<double>::quiet_NaN();
   std::vector<Eigen::VectorXd> samples;
@@ -112,8 +129,11 @@ RetroCluster describe(const PointCloud& cloud, const std::vector<std::uint32_t>&
 std::string why_rejected(const RetroCluster& c, const FrameOptions& o) {
   if (c.points < static_cast<std::size_t>(o.min_target_points))
     return fmt::format("{} points, min_target_points is {}", c.points, o.min_target_points);
-  if (c.extent_m > o.target_size)
-    return fmt::format("{:.2f} m long, target_size is {:.2f} m", c.extent_m, o.target_size);
+  if (c.seen_extent_m > o.target_size)
+    return fmt::format("{:.2f} m long, target_size is {:.2f} m", c.seen_extent_m, o.target_size);
+  if (c.extent_m > o.target_size + max_blur_m)
+    return fmt::format("{:.2f} m long in the map and {:.2f} m as seen from one position: it moves, or the map is bent",
+                       c.extent_m, c.seen_extent_m);
   if (c.view_span_m < o.target_views)
     return fmt::format("seen from positions {:.1f} m apart, target_views is {:.1f} m", c.view_span_m, o.target_views);
   return {};
