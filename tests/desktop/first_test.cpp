@@ -1,5 +1,11 @@
 // The first minutes with the window: start page, what was opened, the next step, commands found by letters, icons,
 // focus, room on a small screen, and the stem table.
+#include <vtkActor.h>
+#include <vtkActorCollection.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 #include <QClipboard>
 #include <QDockWidget>
 #include <QFile>
@@ -383,6 +389,21 @@ class FirstTest : public QObject {
     QVERIFY((middle - scene.rect().center()).manhattanLength() <= 4);
   }
 
+  // A screen of 4K with scale 2 has two of its own pixels for one of Qt's.
+  void points_have_their_size_on_every_screen() {
+    MainWindow window;
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    window.open(at("cloud.xyz"));
+    QTRY_VERIFY(window.scene().has_survey());
+    auto settings = window.scene().settings();
+    settings.point_size_px = 3;
+    window.scene().set_settings(settings);
+    const double ratio = window.scene().devicePixelRatioF();
+    QCOMPARE(ratio, qEnvironmentVariable("QT_SCALE_FACTOR", "1").toDouble());
+    QTRY_COMPARE(largest_point_px(window.scene()), 3 * ratio);
+  }
+
   // BOLE_LOOK=FOLDER writes what a person should look at.
   void pictures_to_look_at() {
     const QString to = qEnvironmentVariable("BOLE_LOOK");
@@ -456,6 +477,19 @@ class FirstTest : public QObject {
 
  private:
   QString at(const char* name) const { return folder_->filePath(name); }
+
+  static double largest_point_px(SceneView& scene) {
+    double largest = 0;
+    auto* renderers = scene.renderWindow()->GetRenderers();
+    renderers->InitTraversal();
+    while (auto* renderer = renderers->GetNextItem()) {
+      auto* actors = renderer->GetActors();
+      actors->InitTraversal();
+      while (auto* actor = actors->GetNextActor())
+        largest = std::max(largest, static_cast<double>(actor->GetProperty()->GetPointSize()));
+    }
+    return largest;
+  }
 
   static int column(TablePanel& table, const QString& name) {
     for (int c = 0; c < table.model()->columnCount(); ++c)

@@ -13,12 +13,14 @@
 #include <QXmlStreamReader>
 #include <cmath>
 
+#include "base/arrays.h"
 #include "document/cell_words.h"
 #include "document/stage_words.h"
 #include "features/lesson/lesson_reader.h"
 #include "features/lesson/lesson_words.h"
 #include "features/stem_review/stem_review.h"
 #include "io/core/formats.h"
+#include "look/array_words.h"
 #include "look/language.h"
 #include "render/beside/distance_bars.h"
 #include "render/charts/cross_section.h"
@@ -323,6 +325,16 @@ class LanguageTest : public QObject {
     QCOMPARE(QString::fromStdString(look.words("n 12   bias -0.20 cm   RMSE 0.41 cm")),
              QStringLiteral("n 12   偏差 -0.20 cm   RMSE 0.41 cm"));
     QCOMPARE(look.words("Tree 7"), std::string("Tree 7"));
+  }
+
+  void what_colours_points_has_chinese_words() {
+    install_language(*QCoreApplication::instance(), "zh_CN");
+    for (const auto& array : array_vocabulary()) {
+      const QString words = array_words(std::string(array.name));
+      QVERIFY2(std::any_of(words.begin(), words.end(), [](QChar c) { return c.unicode() >= 0x4e00; }),
+               qPrintable(words));
+    }
+    QCOMPARE(array_words("leaf_water"), QString("leaf water"));
   }
 
   // Every sentence that the measurement can give as a reason, and every word of the columns beside it.

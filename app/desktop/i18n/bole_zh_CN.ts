@@ -2835,6 +2835,113 @@
         </message>
     </context>
     <context>
+        <name>Arrays</name>
+        <message>
+            <source>height above ground</source>
+            <translation>离地高度</translation>
+        </message>
+        <message>
+            <source>tree id</source>
+            <translation>树号</translation>
+        </message>
+        <message>
+            <source>z</source>
+            <translation>z</translation>
+        </message>
+        <message>
+            <source>photo</source>
+            <translation>照片颜色</translation>
+        </message>
+        <message>
+            <source>intensity</source>
+            <translation>强度</translation>
+        </message>
+        <message>
+            <source>time</source>
+            <translation>时间</translation>
+        </message>
+        <message>
+            <source>range</source>
+            <translation>距离</translation>
+        </message>
+        <message>
+            <source>ring</source>
+            <translation>激光通道</translation>
+        </message>
+        <message>
+            <source>pass</source>
+            <translation>行走遍次</translation>
+        </message>
+        <message>
+            <source>keyframe</source>
+            <translation>关键帧</translation>
+        </message>
+        <message>
+            <source>sensor x</source>
+            <translation>传感器 x</translation>
+        </message>
+        <message>
+            <source>sensor y</source>
+            <translation>传感器 y</translation>
+        </message>
+        <message>
+            <source>sensor z</source>
+            <translation>传感器 z</translation>
+        </message>
+        <message>
+            <source>stem</source>
+            <translation>树干</translation>
+        </message>
+        <message>
+            <source>plant</source>
+            <translation>植株</translation>
+        </message>
+        <message>
+            <source>part</source>
+            <translation>部位</translation>
+        </message>
+        <message>
+            <source>classification</source>
+            <translation>分类</translation>
+        </message>
+        <message>
+            <source>return number</source>
+            <translation>回波序号</translation>
+        </message>
+        <message>
+            <source>number of returns</source>
+            <translation>回波数</translation>
+        </message>
+        <message>
+            <source>scan angle</source>
+            <translation>扫描角</translation>
+        </message>
+        <message>
+            <source>user data</source>
+            <translation>用户数据</translation>
+        </message>
+        <message>
+            <source>point source id</source>
+            <translation>点源编号</translation>
+        </message>
+        <message>
+            <source>red</source>
+            <translation>红</translation>
+        </message>
+        <message>
+            <source>green</source>
+            <translation>绿</translation>
+        </message>
+        <message>
+            <source>blue</source>
+            <translation>蓝</translation>
+        </message>
+        <message>
+            <source>near infrared</source>
+            <translation>近红外</translation>
+        </message>
+    </context>
+    <context>
         <name>Columns</name>
         <message>
             <source>Tree</source>

@@ -58,6 +58,7 @@ void SceneView::hide_rendering() {
 
 void SceneView::before_frame() {
   follow_eye();
+  if (point_ratio_ != devicePixelRatioF()) size_points();  // the window went to another screen
   frame_start_ = std::chrono::steady_clock::now();
   timed_ = moving_;
   const auto budget = moving_ ? pace_.next() : at_rest;

@@ -167,7 +167,15 @@ void SceneView::dress_clouds() {
     if (!ground_ && survey_.points) ground_ = std::make_shared<const render::GroundBelow>(*survey_.points);
     if (ground_ && !ground_->empty()) filter.ground = ground_;
   }
-  clouds_.dress(filter, settings_.clip, settings_.point_size_px, layer_.paint());
+  clouds_.dress(filter, settings_.clip, layer_.paint());
+  size_points();
+}
+
+// Sizes are told in the pixels of Qt; VTK counts those of the screen.
+void SceneView::size_points(double scale) {
+  point_ratio_ = devicePixelRatioF();
+  layer_.set_point_size(settings_.point_size_px * point_ratio_ * scale);
+  clouds_.set_point_size(settings_.point_size_px, point_ratio_ * scale);
 }
 
 void SceneView::set_clouds(std::vector<SceneCloud> clouds) {

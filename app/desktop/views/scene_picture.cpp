@@ -51,8 +51,7 @@ QImage SceneView::picture(int width_px, bool transparent) {
   const double alpha = renderer_->GetBackgroundAlpha();
   moving_ = false;
   if (transparent) renderer_->SetBackgroundAlpha(0);
-  layer_.set_point_size(settings_.point_size_px * scale);
-  clouds_.set_point_size(settings_.point_size_px, scale);
+  size_points(scale);
   window->SetSize(width_px, height_px);
   for (int frame = 0; frame == 0 || (!complete_ && frame < max_frames); ++frame) window->Render();
   for (int wait = 0; (awaited() > 0 || !complete_) && wait < max_waits; ++wait) {
@@ -62,8 +61,7 @@ QImage SceneView::picture(int width_px, bool transparent) {
   QImage picture = image_of(window);
   if (!transparent) picture = picture.convertToFormat(QImage::Format_RGB888);
   renderer_->SetBackgroundAlpha(alpha);
-  layer_.set_point_size(settings_.point_size_px);
-  clouds_.set_point_size(settings_.point_size_px);
+  size_points();
   window->SetSize(before[0], before[1]);
   redraw();
   return picture;

@@ -154,7 +154,6 @@ void SceneView::set_settings(const ViewSettings& settings) {
   if (!same(before.filter.height, settings_.filter.height)) layer_.set_filter(settings_.filter);
   layer_.set_clip(settings_.clip);
   clip_stems();
-  layer_.set_point_size(settings_.point_size_px);
   dress_clouds();
   if (clip_handles_->shown()) show_clip_handles(settings_.clip.has_value());
   if (before.grid != settings_.grid) rebuild_grid();

@@ -177,6 +177,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void take_arrivals();
   std::size_t awaited() const { return layer_.awaited() + clouds_.awaited(); }
   void dress_clouds();
+  void size_points(double scale = 1);  // of a picture against the window
   void rebuild();
   void repaint_points();
   void take_trees();
@@ -230,6 +231,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   render::ScreenLook look_;
   render::PointLayer layer_;
+  double point_ratio_ = 0;  // pixels of the screen for one of Qt, when the points got their size
   vtkNew<vtkRenderer> renderer_;
   CloudLayers clouds_;                                 // beside the survey
   std::shared_ptr<const render::GroundBelow> ground_;  // of the survey, for their heights; made when it is needed

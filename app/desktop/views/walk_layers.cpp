@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "render/scene/actors.h"
 
@@ -102,12 +103,29 @@ render::Color height_color(double above_ground_m) {
   return above_ground_m < ground_below_m ? ground_grey : render::ColorMap::viridis().at(above_ground_m / top_m);
 }
 
+void widen(vtkActor& actor, double by) {
+  auto& look = *actor.GetProperty();
+  look.SetPointSize(static_cast<float>(by * static_cast<double>(look.GetPointSize())));
+  look.SetLineWidth(static_cast<float>(by * static_cast<double>(look.GetLineWidth())));
+}
+
 }  // namespace
 
 void WalkLayers::set(vtkSmartPointer<vtkActor>& slot, const vtkSmartPointer<vtkActor>& actor) {
   if (slot) renderer_->RemoveActor(slot);
   slot = actor;
-  if (slot) renderer_->AddActor(slot);
+  if (!slot) return;
+  widen(*slot, ratio_);
+  renderer_->AddActor(slot);
+}
+
+void WalkLayers::set_pixel_ratio(double ratio) {
+  const double by = ratio / std::exchange(ratio_, ratio);
+  if (by == 1) return;
+  auto actors = blocks_;
+  actors.insert(actors.end(), {path_, good_loops_, bad_loops_, frame_, sensor_});
+  for (const auto& actor : actors)
+    if (actor) widen(*actor, by);
 }
 
 void WalkLayers::set_dark(bool dark) {

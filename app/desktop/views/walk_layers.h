@@ -18,7 +18,8 @@ class WalkLayers {
  public:
   explicit WalkLayers(vtkRenderer* renderer) : renderer_(renderer) {}
 
-  void set_dark(bool dark);  // the paper below
+  void set_dark(bool dark);            // the paper below
+  void set_pixel_ratio(double ratio);  // pixels of the screen for one of Qt: points and lines are told in those
   void clear();
   // Only what has changed since the last call is made anew.
   void show_live(LiveMap& map, bool frame);
@@ -51,6 +52,7 @@ class WalkLayers {
   std::vector<std::size_t> block_points_;
   vtkSmartPointer<vtkActor> path_, good_loops_, bad_loops_, frame_, sensor_;
   bool dark_ = false;
+  double ratio_ = 1;
   std::size_t step_ = 1;  // of every so many points one is drawn
   std::size_t drawn_ = 0, accepted_ = 0, refused_ = 0;
 };

@@ -91,6 +91,7 @@ void WalkView::showEvent(QShowEvent* event) {
 // Not before the window is there: VTK would make a context of its own. What is hidden is drawn when it is shown.
 void WalkView::redraw() {
   if (!isValid() || !isVisible()) return;
+  layers_.set_pixel_ratio(devicePixelRatioF());
   renderer_->ResetCameraClippingRange();
   renderWindow()->Render();
 }

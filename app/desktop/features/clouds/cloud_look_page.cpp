@@ -13,6 +13,7 @@
 #include "features/clouds/cloud_file.h"
 #include "features/clouds/cloud_widgets.h"
 #include "features/clouds/clouds.h"
+#include "look/array_words.h"
 
 namespace bole::desktop {
 namespace {
@@ -24,7 +25,7 @@ QString color_title(const std::string& array) {
   if (array == "z") return CloudLookPage::tr("Height (z)");
   if (array == distance_column) return CloudLookPage::tr("Distance");
   if (array == rise_column) return CloudLookPage::tr("Height difference");
-  return QString::fromStdString(array).replace('_', ' ');
+  return array_words(array);
 }
 
 }  // namespace

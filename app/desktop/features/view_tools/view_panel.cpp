@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "features/view_tools/range_slider.h"
+#include "look/array_words.h"
 #include "look/scrolled_page.h"
 #include "render/draw/color_maps.h"
 #include "views/scene_view.h"
@@ -209,10 +210,7 @@ void ViewPanel::show_state() {
   const auto& s = scene_.settings();
   following_ = true;
   color_->clear();
-  for (const auto& array : scene_.colorable()) {
-    const auto name = QString::fromStdString(array);
-    color_->addItem(QString(name).replace('_', ' '), name);
-  }
+  for (const auto& array : scene_.colorable()) color_->addItem(array_words(array), QString::fromStdString(array));
   color_->setCurrentIndex(color_->findData(QString::fromStdString(scene_.paint().array)));
   const bool numbers = scene_.paint().kind == render::PointPaint::Kind::map;
   for (auto* box : {range_lo_, range_hi_}) box->setEnabled(numbers);
@@ -249,9 +247,10 @@ void ViewPanel::show_north() {
   const bool unknown = scene_.survey().points && !scene_.north_known();
   north->setEnabled(!unknown);
   if (unknown) north->setChecked(false);
-  north->setToolTip(unknown ? tr("Not drawn: nothing tells where north is in this cloud. The axes of its file or sensor "
-                                 "are not those of a plot or of a coordinate system.")
-                            : tr("Where the axes of the plot are known"));
+  north->setToolTip(unknown
+                        ? tr("Not drawn: nothing tells where north is in this cloud. The axes of its file or sensor "
+                             "are not those of a plot or of a coordinate system.")
+                        : tr("Where the axes of the plot are known"));
 }
 
 }  // namespace bole::desktop

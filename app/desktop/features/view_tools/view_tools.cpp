@@ -8,6 +8,7 @@
 #include "features/view_tools/plan_map.h"
 #include "features/view_tools/plot_boundary.h"
 #include "features/view_tools/view_panel.h"
+#include "look/array_words.h"
 #include "views/scene_view.h"
 #include "workbench/workbench.h"
 
@@ -33,7 +34,7 @@ void change_point_size(SceneView& scene, double by) {
 
 void fill_colors(QMenu& menu, SceneView& scene) {
   for (const auto& array : scene.colorable())
-    QObject::connect(menu.addAction(QString::fromStdString(array).replace('_', ' ')), &QAction::triggered, &scene,
+    QObject::connect(menu.addAction(array_words(array)), &QAction::triggered, &scene,
                      [&scene, array] { scene.color_by(array); });
 }
 

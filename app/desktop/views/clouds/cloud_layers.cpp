@@ -131,7 +131,7 @@ void CloudLayers::draw_about(const std::optional<Eigen::Vector3d>& origin) {
 }
 
 // Prepared points are lost with another paint or filter, and kept with another box or size.
-void CloudLayers::dress(const render::PointFilter& filter, const std::optional<render::ClipBox>& clip, double point_px,
+void CloudLayers::dress(const render::PointFilter& filter, const std::optional<render::ClipBox>& clip,
                         const render::PointPaint& of_survey) {
   for (std::size_t k = 0; k < clouds_.size(); ++k) {
     auto& layer = *layers_[k];
@@ -150,7 +150,6 @@ void CloudLayers::dress(const render::PointFilter& filter, const std::optional<r
     }
   }
   set_clip(clip);
-  set_point_size(point_px);
 }
 
 void CloudLayers::set_clip(const std::optional<render::ClipBox>& box) {

@@ -26,10 +26,10 @@ class CloudLayers : public QObject {
   void draw_about(const std::optional<Eigen::Vector3d>& origin);  // of the scene; none: nothing is drawn
 
   // What the settings of the view make of them.
-  void dress(const render::PointFilter& filter, const std::optional<render::ClipBox>& clip, double point_px,
+  void dress(const render::PointFilter& filter, const std::optional<render::ClipBox>& clip,
              const render::PointPaint& of_survey);
   void set_clip(const std::optional<render::ClipBox>& box);
-  void set_point_size(double px, double scale = 1);  // of those that have none of their own
+  void set_point_size(double px, double scale);  // px: of those that have no size of their own; scale: of all
 
   bool update(std::size_t budget, std::size_t fresh);  // of each; see PointLayer
   std::size_t drawn_clouds() const { return origin_ ? layers_.size() : 0; }
