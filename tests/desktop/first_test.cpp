@@ -342,6 +342,32 @@ class FirstTest : public QObject {
     window.session().discard_recovery();
   }
 
+  // By keys, since what is pressed counts: the tree that was left stays as it was decided.
+  void the_next_stem_is_decided_alone() {
+    MainWindow window;
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QApplication::setActiveWindow(&window);  // no window manager does it under Xvfb
+    measure(window);
+    auto& table = window.stems();
+    const auto press = [&](int key, Qt::KeyboardModifiers with = Qt::NoModifier) {
+      QTest::keyClick(window.windowHandle(), static_cast<Qt::Key>(key), with);
+    };
+    press(Qt::Key_Right, Qt::ControlModifier);
+    QTRY_VERIFY(table.selected_tree());
+    const auto first = *table.selected_tree();
+    press(Qt::Key_A);
+    QVERIFY(wait_for_run(window));
+    press(Qt::Key_Right, Qt::ControlModifier);
+    QTRY_VERIFY(table.selected_tree() != first);
+    QCOMPARE(table.selected_trees().size(), std::size_t{1});
+    const auto second = *table.selected_tree();
+    press(Qt::Key_R);
+    QVERIFY(wait_for_run(window));
+    QCOMPARE(state_of(window, first), std::string("accepted"));
+    QCOMPARE(state_of(window, second), std::string("rejected"));
+  }
+
   void rows_are_copied_for_a_spreadsheet() {
     MainWindow window;
     measure(window);

@@ -54,6 +54,12 @@ class DarkStyle : public QProxyStyle {
   }
 };
 
+// Light palettes of Qt leave the colour of quiet words open: a label that asks for it would be blank.
+QPalette with_quiet_words(QPalette palette) {
+  palette.setColor(QPalette::PlaceholderText, QColor(110, 110, 110));
+  return palette;
+}
+
 const QPalette& palette_of_the_system() {
   static const QPalette palette = QApplication::palette();  // asked for before any other is set
   return palette;
@@ -66,13 +72,13 @@ bool is_dark(const QPalette& palette) { return palette.color(QPalette::Window).l
 void apply_theme(Theme theme) {
   const QPalette& system = palette_of_the_system();
   if (theme == Theme::system && !is_dark(system)) {
-    QApplication::setPalette(system);
+    QApplication::setPalette(with_quiet_words(system));
     return;
   }
   const bool dark = theme == Theme::dark || theme == Theme::system;
   // Fusion takes any palette.
   QApplication::setStyle(dark ? new DarkStyle : QStyleFactory::create("Fusion"));
-  QApplication::setPalette(dark ? dark_palette() : QApplication::style()->standardPalette());
+  QApplication::setPalette(dark ? dark_palette() : with_quiet_words(QApplication::style()->standardPalette()));
 }
 
 Theme saved_theme() { return static_cast<Theme>(std::clamp(QSettings().value("theme", 0).toInt(), 0, 2)); }

@@ -287,7 +287,9 @@ void TablePanel::select_tree(std::int64_t id) {
   const auto row = row_of(id);
   const auto index = row ? rows_->mapFromSource(model_.index(static_cast<int>(*row), 0)) : QModelIndex();
   if (!index.isValid()) return clearSelection();  // another table, or hidden by the filter
-  selectRow(index.row());
+  // selectRow() would look at the keyboard: with Ctrl held, as in Ctrl+Right, the tree before stayed selected too, and
+  // was decided with this one.
+  selectionModel()->setCurrentIndex(index, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
   scrollTo(index);
 }
 

@@ -64,6 +64,10 @@ QToolButton* tile(const QString& path, const QPalette& palette) {
 StartPage::StartPage(MainWindow& window) : QWidget(&window), window_(window) {
   setObjectName("welcome");
   setAutoFillBackground(true);
+  // A window of its own within the window: else the gaps between the panels below came through, black, when a menu
+  // opened.
+  setAttribute(Qt::WA_DontCreateNativeAncestors);
+  setAttribute(Qt::WA_NativeWindow);
   auto* page = new QWidget;
   page->setMaximumWidth(page_width_px);
   auto* column = new QVBoxLayout(page);
