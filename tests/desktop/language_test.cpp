@@ -379,8 +379,8 @@ class LanguageTest : public QObject {
 
   void plurals_are_english() {
     install_language(*QCoreApplication::instance(), "en");
-    QCOMPARE(StemReview::tr("%n stem(s) to look at", nullptr, 1), QString("1 stem to look at"));
-    QCOMPARE(StemReview::tr("%n stem(s) to look at", nullptr, 3), QString("3 stems to look at"));
+    QCOMPARE(StemReview::tr("%n stem(s) not decided yet", nullptr, 1), QString("1 stem not decided yet"));
+    QCOMPARE(StemReview::tr("%n stem(s) not decided yet", nullptr, 3), QString("3 stems not decided yet"));
   }
 };
 

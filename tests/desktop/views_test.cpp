@@ -365,8 +365,11 @@ class ViewsTest : public QObject {
     window_->selection().select(4);
     add->trigger();
     QVERIFY(add->isChecked());
+    QCOMPARE(said.size(), 2);
+    QVERIFY(said.at(1).at(0).toString().contains("Draw a circle"));  // the status bar says what to do
     add->trigger();
-    QCOMPARE(said.size(), 1);
+    QVERIFY(!add->isChecked());
+    QCOMPARE(said.size(), 2);
   }
 
   void a_moving_view_keeps_its_frame_time_and_refines_at_rest() {

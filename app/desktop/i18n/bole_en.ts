@@ -65,10 +65,10 @@
     <context>
         <name>bole::desktop::StemReview</name>
         <message numerus="yes">
-            <source>%n stem(s) to look at</source>
+            <source>%n stem(s) not decided yet</source>
             <translation>
-                <numerusform>%n stem to look at</numerusform>
-                <numerusform>%n stems to look at</numerusform>
+                <numerusform>%n stem not decided yet</numerusform>
+                <numerusform>%n stems not decided yet</numerusform>
             </translation>
         </message>
     </context>

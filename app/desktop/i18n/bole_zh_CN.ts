@@ -573,6 +573,10 @@
     <context>
         <name>bole::desktop::MainWindow</name>
         <message>
+            <source>Saved: %1</source>
+            <translation>已保存：%1</translation>
+        </message>
+        <message>
             <source>Bole</source>
             <translation>Bole</translation>
         </message>
@@ -1501,6 +1505,14 @@
     <context>
         <name>bole::desktop::SliceView</name>
         <message>
+            <source>Draw a circle about the points of the new tree. The circle that fits them is taken.</source>
+            <translation>在新单木的点周围画一个圆。将采用拟合这些点的圆。</translation>
+        </message>
+        <message>
+            <source>New tree: draw a circle about its points</source>
+            <translation>新单木：在其点周围画一个圆</translation>
+        </message>
+        <message>
             <source>Select a stem first: a new tree is drawn in the slice about it.</source>
             <translation>请先选择一株单木:新树在其横切面中绘制。</translation>
         </message>
@@ -1615,9 +1627,9 @@
             <translation>所有单木均已接受、拒绝或编辑。</translation>
         </message>
         <message numerus="yes">
-            <source>%n stem(s) to look at</source>
+            <source>%n stem(s) not decided yet</source>
             <translation>
-                <numerusform>还有 %n 株单木待检查</numerusform>
+                <numerusform>还有 %n 株单木未决定</numerusform>
             </translation>
         </message>
     </context>

@@ -1,6 +1,7 @@
 #include "shell/main_window.h"
 
 #include <QCloseEvent>
+#include <QDir>
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QFileInfo>
@@ -72,6 +73,8 @@ void MainWindow::make_docks() {
   connect(filter, &QLineEdit::textChanged, this, [this](const QString& text) {
     if (const QString problem = stems().filter(text); !problem.isEmpty()) statusBar()->showMessage(problem, 10000);
   });
+  // The keys of the table and Ctrl+Right are those of words while the filter has them.
+  connect(filter, &QLineEdit::returnPressed, &stems(), [this] { stems().setFocus(); });
   connect(this, &Workbench::document_opened, filter, &QLineEdit::clear);
   auto* layout = new QVBoxLayout(table);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -130,6 +133,7 @@ void MainWindow::save(const QString& path) {
   session().save(path);
   note_recent(path);
   Q_EMIT document_saved();
+  hint(tr("Saved: %1").arg(QDir::toNativeSeparators(path)));
 }
 
 void MainWindow::take_up(const QString& path, const std::function<pipeline::PipelineDocument()>& make) {

@@ -81,10 +81,9 @@ void SliceView::set_adding(bool on) {
   }
   if (adding_ == on) return;
   adding_ = on;
-  if (on && data_.reach_m < 1) {  // a new tree stands beside the selected one
-    data_.reach_m = 1.5;
-    reload(true);
-  }
+  if (on && data_.reach_m < 1) data_.reach_m = 1.5;  // a new tree stands beside the selected one
+  if (stem_) reload(true);
+  if (on) Q_EMIT said(tr("Draw a circle about the points of the new tree. The circle that fits them is taken."));
   setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
   Q_EMIT adding_changed(on);
 }
@@ -158,17 +157,18 @@ void SliceView::write_lines() {
       tr("Tree %1   %2").arg(stem_->tree_id).arg(cell_words("quality", QString::fromStdString(data_.quality)));
   if (const auto decided = decision(render::texts_or_empty(stems, "state")[row]); !decided.isEmpty())
     tree += "   " + decided;
+  if (adding_) tree = tr("New tree: draw a circle about its points");
   data_.lines = {text(tree)};
   const QString reasons = cell_words("reasons", QString::fromStdString(render::texts_or_empty(stems, "reasons")[row]));
   setToolTip(reasons);
-  write_measured();
+  if (!adding_) write_measured();
   if (fit_)
     data_.lines.push_back(text(tr("fit %1 cm   spread %2 cm   arc %3°")
                                    .arg(digits(200 * fit_->circle.radius, 1), digits(100 * fit_->sigma, 1),
                                         digits(degrees(fit_->arc_rad), 0))));
   else if (data_.drawn)
     data_.lines.push_back(text(tr("drawn %1 cm, no fit here").arg(digits(200 * data_.drawn->radius_m, 1))));
-  else if (!away_from_breast_height())
+  else if (!adding_ && !away_from_breast_height())
     for (auto& line : text_lines(reasons, sheet().width() * mm_per_px - reasons_margin_mm, max_reason_lines))
       data_.lines.push_back(std::move(line));
 }

@@ -71,7 +71,7 @@ void StemReview::show(std::int64_t tree) {
   last_ = tree;
   bench_.selection().select(tree);
   bench_.scene().zoom_to_tree(tree);
-  bench_.hint(tr("%n stem(s) to look at", nullptr, static_cast<int>(open_stems())));
+  bench_.hint(tr("%n stem(s) not decided yet", nullptr, static_cast<int>(open_stems())));
 }
 
 void install_stem_review(Workbench& bench) { new StemReview(bench); }
