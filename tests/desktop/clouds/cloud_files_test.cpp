@@ -10,6 +10,7 @@
 #include "clouds_window.h"
 #include "document/disk_memory.h"
 #include "features/clouds/cloud_file.h"
+#include "features/clouds/cloud_jobs.h"
 #include "features/clouds/cloud_panel.h"
 #include "features/clouds/clouds.h"
 #include "features/section/section.h"
@@ -183,6 +184,23 @@ class CloudFilesTest : public CloudsWindow {
     const auto& cut = section->view().section();
     QTRY_VERIFY_WITH_TIMEOUT(cut && cut->points_of(1) > 1700, 20000);  // 200 x 9 or 10; of the coarse ones 400
     QVERIFY(cut->points_of(1) < 2300);
+
+    // Distances to all its points, which lie 1 cm apart: what lies between four of them is 7 mm away. Of the coarse
+    // ones it was farther.
+    const auto place = clouds().find(id)->place();
+    PointCloud::Positions between;
+    for (int i = 300; i < 320; ++i)
+      for (int j = 300; j < 320; ++j)
+        between.push_back(place.of({1000.005 + 0.01 * i, 2000.005 + 0.01 * j, 100.502}).cast<float>());
+    io::write_cloud(at("between.ply").toStdString(), PointCloud(std::move(between)));
+    const int small = add("between.ply");
+    clouds().jobs().measure(small, id, {});
+    QTRY_VERIFY_WITH_TIMEOUT(clouds().find(small)->distances, 30000);
+    const auto& found = clouds().find(small)->distances->found;
+    QCOMPARE(found.beyond, std::size_t{0});
+    QVERIFY2(found.median_m > 0.0065 && found.p95_m < 0.0085, qPrintable(QString::number(found.p95_m)));
+    // 16 MiB do not hold all points within the 10 m that are searched: near ones come first, which is said.
+    QVERIFY2(window_->log().text().contains("farther away those about"), qPrintable(window_->log().text()));
 
     // Of other formats an even share is kept, which is said.
     io::write_cloud(at("large.ply").toStdString(), PointCloud(PointCloud::Positions(1'200'000, {1, 1, 1})));

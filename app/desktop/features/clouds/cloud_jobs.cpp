@@ -4,6 +4,7 @@
 #include <QLocale>
 
 #include "base/angles.h"
+#include "document/disk_memory.h"
 #include "features/clouds/cloud_align.h"
 #include "features/clouds/clouds.h"
 #include "io/core/clouds/cloud_writer.h"
@@ -14,6 +15,8 @@ namespace bole::desktop {
 namespace {
 
 QString count_text(std::size_t count) { return QLocale().toString(static_cast<qulonglong>(count)); }
+
+constexpr std::size_t bytes_per_point = 64;  // of a cloud that is compared, with its search tree
 
 QString mm_text(double metres) { return CloudJobs::tr("%1 mm").arg(1000 * metres, 0, 'f', 1); }
 
@@ -59,14 +62,22 @@ CloudJobs::Given CloudJobs::given(int cloud, int other) const {
               other == 0 ? bench_.scene().survey().points : clouds_.placed_points(other)};
   if (!given.points || !given.of_other || cloud == other)
     throw bad_input("a cloud is not there", "two that were read", "Wait until they are read, or run the survey");
-  const auto tell_coarse = [this](const QString& name) {
-    bench_.say(tr("%1 is shown from the disk: its coarse points are used.").arg(name));
-  };
-  for (const int id : {cloud, other})
-    if (const auto* entry = clouds_.find(id); entry != nullptr && entry->read->on_disk()) tell_coarse(entry->name());
-  if (const auto& index = bench_.scene().survey().index; other == 0 && index && index->disk())
-    tell_coarse(tr("the survey"));
+  if (const auto* entry = clouds_.find(cloud); entry->read->on_disk())
+    bench_.say(tr("%1 is shown from the disk: its coarse points are used.").arg(entry->name()));
   return given;
+}
+
+std::function<std::shared_ptr<const PointCloud>(const Run&)> CloudJobs::other_about(double margin_m) {
+  from_disk_ = std::make_shared<NearOnDisk>();
+  const auto* entry = clouds_.find(given_.other);
+  const auto& index = given_.other == 0 ? bench_.scene().survey().index : entry->read->index;
+  if (!index || !index->disk()) return [points = given_.of_other](const Run&) { return points; };
+  const auto place = given_.other == 0 ? render::CloudPlace() : entry->place();
+  return [disk = index->disk(), place, about = given_.points, margin_m, most = disk_memory_bytes() / bytes_per_point,
+          told = from_disk_](const Run& run) {
+    *told = near_on_disk(*disk, place, *about, margin_m, most, run);
+    return std::exchange(told->points, nullptr);
+  };
 }
 
 bool CloudJobs::still_holds() const {
@@ -91,13 +102,24 @@ void CloudJobs::register_finely(int cloud, int onto, double reach_m) {
   fine_ = std::make_shared<alignment::FineRegistration>();
   start(
       tr("Fitting %1").arg(clouds_.find(cloud)->name()),
-      [given = given_, reach_m, result = fine_](const Run& run) {
-        *result = alignment::register_finely(*given.points, *given.of_other, {.reach_m = reach_m}, run);
+      [points = given_.points, other = other_about(reach_m), reach_m, result = fine_](const Run& run) {
+        *result = alignment::register_finely(*points, *other(run), {.reach_m = reach_m}, run);
       },
       [this] { take_fine(); });
 }
 
+void CloudJobs::tell_spacing() {
+  if (!from_disk_ || from_disk_->spacing_m == 0) return;
+  const QString name = given_.other == 0 ? tr("the survey") : clouds_.find(given_.other)->name();
+  bench_.say(tr("%1 has too many points for View > Memory for points on disk: within %2 m all were used, farther away "
+                "those about %3 m apart.")
+                 .arg(name)
+                 .arg(from_disk_->all_within_m, 0, 'g', 2)
+                 .arg(from_disk_->spacing_m, 0, 'g', 2));
+}
+
 void CloudJobs::take_fine() {
+  tell_spacing();
   const auto* cloud = clouds_.find(given_.cloud);
   const int id = cloud->id;
   const QString name = cloud->name(), words = words_of(*fine_);
@@ -155,10 +177,13 @@ void CloudJobs::measure(int cloud, int from, const alignment::DifferenceOptions&
   difference_options_ = options;
   start(
       tr("Measuring distances of %1").arg(clouds_.find(cloud)->name()),
-      [given = given_, options, result = difference_](const Run& run) {
-        *result = alignment::difference_of(*given.points, *given.of_other, options, run);
+      [points = given_.points, other = other_about(options.max_m), options, result = difference_](const Run& run) {
+        *result = alignment::difference_of(*points, *other(run), options, run);
       },
-      [this] { clouds_.take_difference(given_.cloud, given_.other, difference_options_, std::move(*difference_)); });
+      [this] {
+        tell_spacing();
+        clouds_.take_difference(given_.cloud, given_.other, difference_options_, std::move(*difference_));
+      });
 }
 
 void CloudJobs::save(int cloud, const QString& path) {

@@ -8,6 +8,7 @@
 #include "alignment/core/cloud_difference.h"
 #include "alignment/core/fine_registration.h"
 #include "features/clouds/cloud_entry.h"
+#include "features/clouds/near_on_disk.h"
 #include "running/background_work.h"
 
 namespace bole::desktop {
@@ -44,6 +45,9 @@ class CloudJobs : public QObject {
     std::shared_ptr<const PointCloud> points, of_other;
   };
   Given given(int cloud, int other) const;
+  // The other cloud about the one that is given: as it is in memory, or from the disk.
+  std::function<std::shared_ptr<const PointCloud>(const Run&)> other_about(double margin_m);
+  void tell_spacing();  // where the other cloud was too large to be read in full
   bool still_holds() const;
   void start(const QString& doing, std::function<void(const Run&)> work, std::function<void()> take);
   void take_fine();
@@ -62,6 +66,7 @@ class CloudJobs : public QObject {
   std::shared_ptr<alignment::CloudDifference> difference_;
   alignment::DifferenceOptions difference_options_;
   std::map<int, QString> said_of_fine_;
+  std::shared_ptr<NearOnDisk> from_disk_;  // what was read of the other cloud, without its points
 };
 
 }  // namespace bole::desktop

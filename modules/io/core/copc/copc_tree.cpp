@@ -195,6 +195,12 @@ std::vector<laz::Chunk> CopcTree::chunks_in(const Query& query, const Run& run) 
   return chunks;
 }
 
+std::uint64_t CopcTree::most_points_in(const Query& query, const Run& run) const {
+  std::uint64_t points = 0;
+  for (const auto& chunk : chunks_in(query, run)) points += chunk.points;
+  return points;
+}
+
 PointCloud CopcTree::points_in(const Query& query, const Run& run, Report* report) const {
   std::uint64_t missing = 0;
   auto cloud = decode(chunks_in(query, run), query.box, run, missing);
