@@ -9,7 +9,7 @@ namespace {
 
 using Query = io::copc::CopcTree::Query;
 
-constexpr double least_margin_m = 0.1;
+constexpr double min_margin_m = 0.1;
 constexpr double finest_share = 1.0 / 65536;  // of the spacing of the root: no file has so many levels
 
 Eigen::AlignedBox3d box_of(const PointCloud& cloud) {
@@ -31,9 +31,9 @@ Query about_box(const Eigen::AlignedBox3d& world, double margin_m, const render:
 // Down to a level of which there are few enough.
 Query thinned(Query query, const io::copc::CopcTree& tree, std::size_t max_points, const Run& run) {
   const double coarsest = tree.copc().spacing;
-  if (tree.most_points_in(query, run) <= max_points) return query;
+  if (tree.max_points_in(query, run) <= max_points) return query;
   query.spacing = coarsest * finest_share;
-  while (query.spacing < coarsest && tree.most_points_in(query, run) > max_points) query.spacing *= 2;
+  while (query.spacing < coarsest && tree.max_points_in(query, run) > max_points) query.spacing *= 2;
   return query;
 }
 
@@ -51,10 +51,10 @@ NearOnDisk near_on_disk(const DiskPoints& disk, const render::CloudPlace& place,
   if (world.isEmpty()) return {std::make_shared<const PointCloud>()};
   NearOnDisk found;
   std::vector<Query> queries{about_box(world, margin_m, place)};
-  if (tree.most_points_in(queries[0], run) > max_points) {
+  if (tree.max_points_in(queries[0], run) > max_points) {
     found.all_within_m = margin_m;
     Query near = queries[0];
-    while (found.all_within_m > least_margin_m && tree.most_points_in(near, run) > max_points / 2)
+    while (found.all_within_m > min_margin_m && tree.max_points_in(near, run) > max_points / 2)
       near = about_box(world, found.all_within_m /= 2, place);
     near = thinned(near, tree, max_points / 2, run);
     if (near.spacing > 0) found.all_within_m = 0;

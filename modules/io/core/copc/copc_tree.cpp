@@ -195,7 +195,7 @@ std::vector<laz::Chunk> CopcTree::chunks_in(const Query& query, const Run& run) 
   return chunks;
 }
 
-std::uint64_t CopcTree::most_points_in(const Query& query, const Run& run) const {
+std::uint64_t CopcTree::max_points_in(const Query& query, const Run& run) const {
   std::uint64_t points = 0;
   for (const auto& chunk : chunks_in(query, run)) points += chunk.points;
   return points;

@@ -80,7 +80,7 @@ class CopcTree {
   PointCloud points_in(const Query& query, const Run& run = {}, Report* report = nullptr) const;
 
   // Points of the nodes that points_in() would decode: as many as it gives, or more. Throws Error{cancelled}.
-  std::uint64_t most_points_in(const Query& query, const Run& run = {}) const;
+  std::uint64_t max_points_in(const Query& query, const Run& run = {}) const;
 
   // What was found damaged so far, one sentence each.
   std::vector<std::string> damage() const;
