@@ -1,0 +1,81 @@
+#include "render/scene/ground_picture.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkShaderProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <utility>
+
+namespace bole::render {
+namespace {
+
+constexpr int channels = 4;
+
+using Shared = std::shared_ptr<const GroundPicture>;
+
+// The pixels live as long as the image that shows them.
+void hold(vtkImageData* image, const Shared& picture) {
+  vtkNew<vtkCallbackCommand> release;
+  release->SetClientData(new Shared(picture));
+  release->SetClientDataDeleteCallback([](void* held) { delete static_cast<Shared*>(held); });
+  image->AddObserver(vtkCommand::DeleteEvent, release);
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkTexture> ground_texture(const Shared& picture) {
+  vtkNew<vtkUnsignedCharArray> pixels;
+  pixels->SetNumberOfComponents(channels);
+  // VTK reads them only; it has no arrays of constants.
+  pixels->SetArray(const_cast<std::uint8_t*>(picture->rgba.data()), static_cast<vtkIdType>(picture->rgba.size()), 1);
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(picture->width, picture->height, 1);
+  image->GetPointData()->SetScalars(pixels);
+  hold(image, picture);
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  texture->InterpolateOn();
+  texture->MipmapOn();
+  texture->EdgeClampOn();
+  return texture;
+}
+
+vtkSmartPointer<vtkActor> ground_actor(vtkTexture* texture, const std::array<Eigen::Vector3d, 4>& corners,
+                                       double opacity) {
+  vtkNew<vtkPoints> points;
+  for (const auto& corner : corners) points->InsertNextPoint(corner.data());
+  vtkNew<vtkFloatArray> places;
+  places->SetNumberOfComponents(2);
+  for (const auto& [u, v] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) places->InsertNextTuple2(u, v);
+  const std::array<vtkIdType, 4> quad{0, 1, 2, 3};
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(4, quad.data());
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  data->GetPointData()->SetTCoords(places);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  mapper->ScalarVisibilityOff();
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->SetTexture(texture);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetColor(1, 1, 1);
+  actor->GetProperty()->SetOpacity(opacity);
+  actor->PickableOff();
+  // As far away as can be, so that the order of drawing does not matter either.
+  actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Depth::Impl", true, "gl_FragDepth = 1.0;\n", false);
+  return actor;
+}
+
+}  // namespace bole::render
