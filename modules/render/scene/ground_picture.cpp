@@ -73,7 +73,9 @@ vtkSmartPointer<vtkActor> ground_actor(vtkTexture* texture, const std::array<Eig
   actor->GetProperty()->SetColor(1, 1, 1);
   actor->GetProperty()->SetOpacity(opacity);
   actor->PickableOff();
-  // As far away as can be, so that the order of drawing does not matter either.
+  // As far away as can be: only the background is behind it, whatever was drawn before or is drawn later. So it can be
+  // mixed with that at once; the pass for what is translucent gives nothing to what is so far away.
+  actor->ForceOpaqueOn();
   actor->GetShaderProperty()->AddFragmentShaderReplacement("//VTK::Depth::Impl", true, "gl_FragDepth = 1.0;\n", false);
   return actor;
 }
