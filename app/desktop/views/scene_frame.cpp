@@ -68,6 +68,7 @@ void SceneView::before_frame() {
   const auto left = [](std::size_t all, std::size_t taken) { return all - std::min(all, taken); };
   complete_ = layer_.update(renderer_, left(budget.points, clouds_.drawn()), left(budget.fresh, clouds_.fresh())) &&
               clouds_complete;
+  map_.suit(2 * half_height_m(renderer_->GetActiveCamera()) / std::max(1, renderWindow()->GetSize()[1]));
   renderer_->ResetCameraClippingRange();
   furniture_.set_shadow({}, 0, 0);
   place_furniture();

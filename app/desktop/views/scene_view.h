@@ -25,7 +25,7 @@
 #include "views/camera_layer.h"
 #include "views/clouds/cloud_layers.h"
 #include "views/frame_pace.h"
-#include "views/map_layer.h"
+#include "views/map/map_layer.h"
 #include "views/scene_drawing.h"
 #include "views/scene_outline.h"
 #include "views/view_point.h"

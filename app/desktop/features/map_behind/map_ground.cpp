@@ -8,6 +8,7 @@ namespace bole::desktop {
 namespace {
 
 constexpr double min_margin_m = 20, same_place_m = 1e-4, max_leant_m = 0.01;
+constexpr int coarse_side_px = 1024;  // of the map that is drawn from afar
 
 std::optional<GlobalFrame> frame_in(const Table* table) {
   if (table == nullptr) return {};
@@ -90,7 +91,10 @@ ReadMap read_map(const QString& path, const MapGround& ground, const Run& run) {
   pixels->width = picture.width;
   pixels->height = picture.height;
   pixels->rgba = std::move(picture.rgba);
+  if (const int step = (std::max(pixels->width, pixels->height) - 1) / coarse_side_px + 1; step > 1)
+    read.map.coarse = std::make_shared<const render::GroundPicture>(render::coarser(*pixels, step));
   read.map.picture = std::move(pixels);
+  read.map.pixel_m = picture.pixel_m.maxCoeff();
   return read;
 }
 

@@ -10,7 +10,7 @@
 #include "document/survey.h"
 #include "io/core/gdal/map_picture.h"
 #include "render/scene/point_layer.h"
-#include "views/map_layer.h"
+#include "views/map/map_layer.h"
 
 namespace bole::desktop {
 

@@ -1,6 +1,7 @@
 #include "io/core/gdal/map_colors.h"
 
 #include <fmt/format.h>
+#include <gdal_priv.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
 // Colours of a part of a raster of any kind, as red, green, blue and alpha of 8 bits.
 #pragma once
 
-#include <gdal_priv.h>
-
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "base/run.h"
+
+class GDALDataset;
 
 namespace bole::io {
 

@@ -1,6 +1,8 @@
 #include "io/core/gdal/map_place.h"
 
 #include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
 
 #include <cmath>
 
@@ -35,9 +37,10 @@ Eigen::AlignedBox2d box_of(const Eigen::AlignedBox2d& box, Take take) {
   return out;
 }
 
-OGRSpatialReference system_of(const std::string& crs) {
+std::shared_ptr<OGRSpatialReference> system_of(const std::string& crs) {
   const gdal::Errors quiet;
-  OGRSpatialReference system;
+  auto made = std::make_shared<OGRSpatialReference>();
+  auto& system = *made;
   constexpr std::size_t longest = 80;
   const char* const closed[] = {"ALLOW_NETWORK_ACCESS=NO", "ALLOW_FILE_ACCESS=NO", nullptr};
   if (system.SetFromUserInput(crs.c_str(), closed) != OGRERR_NONE)
@@ -48,7 +51,7 @@ OGRSpatialReference system_of(const std::string& crs) {
   if (system.IsProjected() == 0)
     throw bad_input(fmt::format("the survey is in '{}', which is no plane", system.GetName()),
                     "a projected coordinate system");
-  return system;
+  return made;
 }
 
 bool same_system(const OGRSpatialReference& a, const OGRSpatialReference& b) {
@@ -68,7 +71,7 @@ MapPlace::MapPlace(GDALDataset& set, const std::string& crs, const std::string& 
   const auto* own = set.GetSpatialRef();
   crs_known_ = own != nullptr && !own->IsLocal();
   if (crs_known_) {
-    own_ = *own;
+    own_ = std::make_shared<OGRSpatialReference>(*own);
     own_->StripVertical();
   }
   if (!own_ || !wanted_ || same_system(*own_, *wanted_)) {
@@ -77,8 +80,9 @@ MapPlace::MapPlace(GDALDataset& set, const std::string& crs, const std::string& 
     return;
   }
   const gdal::Errors errors;
-  to_wanted_.reset(OGRCreateCoordinateTransformation(&*own_, &*wanted_));
-  to_own_.reset(OGRCreateCoordinateTransformation(&*wanted_, &*own_));
+  to_wanted_.reset(OGRCreateCoordinateTransformation(own_.get(), wanted_.get()),
+                   OGRCoordinateTransformation::DestroyCT);
+  to_own_.reset(OGRCreateCoordinateTransformation(wanted_.get(), own_.get()), OGRCoordinateTransformation::DestroyCT);
   if (!to_wanted_ || !to_own_)
     throw bad_input(fmt::format("'{}' is in '{}', and PROJ knows no way from there to '{}': {}", name, own_->GetName(),
                                 wanted_->GetName(), errors.last()),

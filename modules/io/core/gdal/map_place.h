@@ -1,14 +1,15 @@
 // Where the pixels of a raster lie in another coordinate system, and which of them a survey needs.
 #pragma once
 
-#include <gdal_priv.h>
-#include <ogr_spatialref.h>
-
 #include <Eigen/Geometry>
 #include <array>
 #include <memory>
 #include <optional>
 #include <string>
+
+class GDALDataset;
+class OGRCoordinateTransformation;
+class OGRSpatialReference;
 
 namespace bole::io {
 
@@ -23,8 +24,8 @@ class MapPlace {
 
   bool crs_known() const { return crs_known_; }
   const GeoTransform& transform() const { return transform_; }
-  const OGRSpatialReference* own_crs() const { return own_ ? &*own_ : nullptr; }
-  const OGRSpatialReference* wanted_crs() const { return wanted_ ? &*wanted_ : nullptr; }
+  const OGRSpatialReference* own_crs() const { return own_.get(); }  // null: none is known
+  const OGRSpatialReference* wanted_crs() const { return wanted_.get(); }
   // Its pixels are those of the wanted system as they are.
   bool north_up() const;
 
@@ -38,14 +39,9 @@ class MapPlace {
   Eigen::AlignedBox2d wanted_of(const Eigen::AlignedBox2d& pixels) const;
 
  private:
-  struct Destroy {
-    void operator()(OGRCoordinateTransformation* t) const { OGRCoordinateTransformation::DestroyCT(t); }
-  };
-  using Change = std::unique_ptr<OGRCoordinateTransformation, Destroy>;
-
   GeoTransform transform_{}, inverse_{};
-  std::optional<OGRSpatialReference> own_, wanted_;
-  Change to_wanted_, to_own_;  // null: the systems are the same
+  std::shared_ptr<OGRSpatialReference> own_, wanted_;
+  std::shared_ptr<OGRCoordinateTransformation> to_wanted_, to_own_;  // null: the systems are the same
   bool crs_known_ = false;
 };
 

@@ -1,4 +1,4 @@
-#include "render/scene/ground_picture.h"
+#include "render/beside/ground_picture.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
@@ -13,6 +13,7 @@
 #include <vtkShaderProperty.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace bole::render {
@@ -30,9 +31,40 @@ void hold(vtkImageData* image, const Shared& picture) {
   image->AddObserver(vtkCommand::DeleteEvent, release);
 }
 
+std::array<std::uint8_t, channels> mean_of(const GroundPicture& picture, int column, int row, int step) {
+  const int columns = std::min(step, picture.width - column), rows = std::min(step, picture.height - row);
+  std::array<std::uint32_t, channels> sums{};  // colours times alpha
+  for (int y = row; y < row + rows; ++y) {
+    const auto* pixel =
+        picture.rgba.data() + channels * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                                          static_cast<std::size_t>(column));
+    for (int x = 0; x < columns; ++x, pixel += channels) {
+      for (std::size_t c = 0; c < 3; ++c) sums[c] += static_cast<std::uint32_t>(pixel[c]) * pixel[3];
+      sums[3] += pixel[3];
+    }
+  }
+  std::array<std::uint8_t, channels> mean{};
+  if (sums[3] == 0) return mean;
+  for (std::size_t c = 0; c < 3; ++c) mean[c] = static_cast<std::uint8_t>((sums[c] + sums[3] / 2) / sums[3]);
+  mean[3] = static_cast<std::uint8_t>(sums[3] / static_cast<std::uint32_t>(columns * rows));
+  return mean;
+}
+
 }  // namespace
 
-vtkSmartPointer<vtkTexture> ground_texture(const Shared& picture) {
+GroundPicture coarser(const GroundPicture& picture, int step) {
+  GroundPicture out;
+  out.width = (picture.width + step - 1) / step;
+  out.height = (picture.height + step - 1) / step;
+  out.rgba.reserve(static_cast<std::size_t>(channels) * static_cast<std::size_t>(out.width) *
+                   static_cast<std::size_t>(out.height));
+  for (int y = 0; y < out.height; ++y)
+    for (int x = 0; x < out.width; ++x)
+      for (const auto value : mean_of(picture, x * step, y * step, step)) out.rgba.push_back(value);
+  return out;
+}
+
+vtkSmartPointer<vtkTexture> ground_texture(const Shared& picture, bool smaller_too) {
   vtkNew<vtkUnsignedCharArray> pixels;
   pixels->SetNumberOfComponents(channels);
   // VTK reads them only; it has no arrays of constants.
@@ -44,7 +76,7 @@ vtkSmartPointer<vtkTexture> ground_texture(const Shared& picture) {
   auto texture = vtkSmartPointer<vtkTexture>::New();
   texture->SetInputData(image);
   texture->InterpolateOn();
-  texture->MipmapOn();
+  texture->SetMipmap(smaller_too);
   texture->EdgeClampOn();
   return texture;
 }

@@ -19,8 +19,12 @@ struct GroundPicture {
   std::vector<std::uint8_t> rgba;  // 4 x width x height
 };
 
-// Shares the pixels, and keeps them alive.
-vtkSmartPointer<vtkTexture> ground_texture(const std::shared_ptr<const GroundPicture>& picture);
+// Each pixel is the mean of `step` x `step`, or fewer at the borders; what is transparent does not count.
+GroundPicture coarser(const GroundPicture& picture, int step);
+
+// Shares the pixels, and keeps them alive. `smaller_too`: with all smaller sizes of the picture, for views that show it
+// small; of a picture of 4096 x 4096 pixels they take 0.1 s to make.
+vtkSmartPointer<vtkTexture> ground_texture(const std::shared_ptr<const GroundPicture>& picture, bool smaller_too);
 
 // `corners` of the picture, relative to the origin of the scene: north-west, north-east, south-east, south-west. It is
 // drawn behind whatever is in the scene: points below its plane are seen too.

@@ -10,12 +10,14 @@
 #include <array>
 #include <memory>
 
-#include "render/scene/ground_picture.h"
+#include "render/beside/ground_picture.h"
 
 namespace bole::desktop {
 
 struct SceneMap {
   std::shared_ptr<const render::GroundPicture> picture;
+  std::shared_ptr<const render::GroundPicture> coarse;  // of the same place, for views from afar; null: none is needed
+  double pixel_m = 1;                                   // of `picture`
   std::array<Eigen::Vector2d, 4> corners;  // north-west, north-east, south-east, south-west; world x and y, metres
   Eigen::Vector2d north = Eigen::Vector2d::UnitY();  // of its coordinate system, in world axes; unit
 };
@@ -28,13 +30,16 @@ class MapLayer {
   const std::shared_ptr<const SceneMap>& map() const { return map_; }
   // At the height `z`, world coordinates; `origin` of the scene.
   void draw(const Eigen::Vector3d& origin, double z, bool visible, double opacity);
-  bool drawn() const { return actor_ != nullptr; }
+  void suit(double metres_per_px);  // of the view: before a frame
 
  private:
+  vtkTexture* texture();
+
   vtkRenderer* renderer_;
   std::shared_ptr<const SceneMap> map_;
-  vtkSmartPointer<vtkTexture> texture_;
+  vtkSmartPointer<vtkTexture> fine_, coarse_;  // made when they are needed
   vtkSmartPointer<vtkActor> actor_;
+  double metres_per_px_ = 1e9;
 };
 
 }  // namespace bole::desktop
