@@ -77,7 +77,7 @@ vtkSmartPointer<vtkTexture> ground_texture(const Shared& picture, bool smaller_t
   texture->SetInputData(image);
   texture->InterpolateOn();
   texture->SetMipmap(smaller_too);
-  texture->EdgeClampOn();
+  texture->SetWrap(vtkTexture::ClampToEdge);
   return texture;
 }
 

@@ -163,6 +163,13 @@ class MapBehindTest : public QObject {
     keep_picture(perspective, "map_3d");
     expect_quarters(perspective, 7, 5);
     QVERIFY(alike(before, sky()));  // the sky is as it was
+    // Its northern edge has no colour of the southern one.
+    for (int x = 0; x < perspective.width(); ++x) {
+      int y = 0;
+      while (y < perspective.height() - 1 && alike(perspective.pixelColor(x, y), before)) ++y;
+      const auto edge = perspective.pixelColor(x, y);
+      QVERIFY2(edge.blue() < std::max(edge.red(), edge.green()) + 20, qPrintable(edge.name()));
+    }
   }
 
   void it_is_hidden_faded_and_kept() {
