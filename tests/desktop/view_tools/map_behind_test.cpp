@@ -419,6 +419,7 @@ class MapBehindTest : public QObject {
     const QString folder = qEnvironmentVariable("BOLE_LOOK");
     if (folder.isEmpty()) return;
     picture.save(folder + "/" + name + ".png");
+    window_->docks().raise("view");
     window_->grab().save(folder + "/" + name + "_window.png");
   }
 
