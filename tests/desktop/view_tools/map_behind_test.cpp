@@ -312,6 +312,7 @@ class MapBehindTest : public QObject {
     PointCloud::Positions p;
     for (int i = 0; i < 100; ++i)
       for (int k = 0; k < 100; ++k) p.emplace_back(0.1F * float(i) - 5, 0.1F * float(k) - 5, 0.F);
+    for (int k = 0; k < 50; ++k) p.emplace_back(6.5F, 0.04F * float(k) - 3, -5.F);  // too few to say where its foot is
     PointCloud cloud(std::move(p), {east_m, north_m, 300});
     cloud.scale = Eigen::Vector3d::Constant(0.001);
     cloud.axes = Axes::global;
@@ -328,6 +329,10 @@ class MapBehindTest : public QObject {
       const Eigen::Vector3d at(east_m + 5.2 * quarter_sides[k][0], north_m + 5.2 * quarter_sides[k][1], 300);
       QVERIFY2(alike(picture.pixelColor(scene().place_of(at)), quarters[k]), qPrintable(QString::number(k)));
     }
+    // What lies below the map is seen too.
+    QVERIFY(std::abs(scene().whole().lo.z() - 300) < 0.1);
+    const auto below = picture.pixelColor(scene().place_of({east_m + 6.5, north_m - 2, 295}));
+    QVERIFY2(!alike(below, quarters[3], 40), qPrintable(below.name()));
     window_->session().discard_recovery();
   }
 
