@@ -9,6 +9,7 @@
 #include <QImage>
 #include <QSettings>
 #include <QTest>
+#include <QTimer>
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -348,11 +349,17 @@ class MapBehindTest : public QObject {
     qInfo("%d x %d pixels: longest turn of the loop %.3f s", pixels.width, pixels.height, meter.longest_busy_s());
     QVERIFY2(meter.longest_busy_s() < 0.2, qPrintable(QString::number(meter.longest_busy_s())));
     // From near, all of its pixels are drawn.
-    const StallMeter nearer;
     window_->commands().trigger("view.map");
-    scene().zoom_to(render::ClipBox{{4.5, 4.5, 0}, {5, 5, 0.5}});
+    const StallMeter nearer;
+    QTimer::singleShot(0, this, [this] { scene().zoom_to(render::ClipBox{{4.5, 4.5, 0}, {5, 5, 0.5}}); });
     QTest::qWait(300);
-    qInfo("zoomed in: longest turn of the loop %.3f s", nearer.longest_busy_s());
+    const StallMeter without;
+    QTimer::singleShot(0, this, [this] { window_->commands().trigger("map.show"); });
+    QTest::qWait(300);
+    window_->commands().trigger("map.show");
+    qInfo("zoomed in: longest turn of the loop %.3f s; hidden: %.3f s", nearer.longest_busy_s(),
+          without.longest_busy_s());
+    QVERIFY2(nearer.longest_busy_s() < 0.2, qPrintable(QString::number(nearer.longest_busy_s())));
     const QImage close = look();
     keep_picture(close, "map_close");
     for (int k = 0; k < 4; ++k)
