@@ -546,6 +546,7 @@ int run_fuzz_test(int argc, char** argv);
 int run_graph_test(int argc, char** argv);
 int run_view_tools_test(int argc, char** argv);
 int run_flying_test(int argc, char** argv);
+int run_map_behind_test(int argc, char** argv);
 
 int main(int argc, char** argv) {
   bole::desktop::TestApplication application(argc, argv);
@@ -554,6 +555,7 @@ int main(int argc, char** argv) {
   if (argc > 1 && QByteArray(argv[1]) == "--graph") return run_graph_test(argc - 1, argv + 1);
   if (argc > 1 && QByteArray(argv[1]) == "--view-tools") return run_view_tools_test(argc - 1, argv + 1);
   if (argc > 1 && QByteArray(argv[1]) == "--flying") return run_flying_test(argc - 1, argv + 1);
+  if (argc > 1 && QByteArray(argv[1]) == "--map") return run_map_behind_test(argc - 1, argv + 1);
   bole::desktop::FirstTest test;
   return QTest::qExec(&test, argc, argv);
 }

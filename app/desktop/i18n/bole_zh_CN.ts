@@ -1847,6 +1847,26 @@
             <source>Colour map</source>
             <translation>色带</translation>
         </message>
+        <message>
+            <source>Map behind</source>
+            <translation>底图</translation>
+        </message>
+        <message>
+            <source>Opacity of the map; less lets the background through</source>
+            <translation>底图的不透明度;数值越小,背景越明显</translation>
+        </message>
+        <message>
+            <source> %</source>
+            <translation> %</translation>
+        </message>
+        <message>
+            <source>The picture of the place below the survey</source>
+            <translation>调查数据下方的当地图像</translation>
+        </message>
+        <message>
+            <source>Open a map first: File &gt; Map behind the survey.</source>
+            <translation>请先打开底图:文件 &gt; 调查数据下方的底图。</translation>
+        </message>
     </context>
     <context>
         <name>bole::desktop::WalkPanel</name>
@@ -4664,6 +4684,57 @@
         <message>
             <source>W A S D or arrow keys move at %1 m/s, mouse looks, wheel sets the speed, Esc ends.</source>
             <translation>W A S D 或方向键以 %1 m/s 移动,鼠标环视,滚轮调速,Esc 结束。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bole::desktop::MapBehind</name>
+        <message>
+            <source>Map behind the survey…</source>
+            <translation>调查数据下方的底图…</translation>
+        </message>
+        <message>
+            <source>A picture of the place, such as an orthophoto, below the survey</source>
+            <translation>调查数据下方显示当地的图像，例如正射影像</translation>
+        </message>
+        <message>
+            <source>Map behind the survey</source>
+            <translation>调查数据下方的底图</translation>
+        </message>
+        <message>
+            <source>Open a map first: File &gt; Map behind the survey.</source>
+            <translation>请先打开底图:文件 &gt; 调查数据下方的底图。</translation>
+        </message>
+        <message>
+            <source>Remove the map</source>
+            <translation>移除底图</translation>
+        </message>
+        <message>
+            <source>Pictures with a place on the earth</source>
+            <translation>带有地理位置的图像</translation>
+        </message>
+        <message>
+            <source>All files</source>
+            <translation>所有文件</translation>
+        </message>
+        <message>
+            <source>The map is kept. It is shown with the survey.</source>
+            <translation>底图已保留,将与调查数据一起显示。</translation>
+        </message>
+        <message>
+            <source>%1 lies behind the survey; its pixels are %2 m.</source>
+            <translation>%1 已置于调查数据下方,像元大小为 %2 m。</translation>
+        </message>
+        <message>
+            <source>It names no coordinate system and was taken to have that of the survey.</source>
+            <translation>它没有注明坐标系,按调查数据的坐标系处理。</translation>
+        </message>
+        <message>
+            <source>The survey names no coordinate system and was taken to have that of the picture.</source>
+            <translation>调查数据没有注明坐标系,按图像的坐标系处理。</translation>
+        </message>
+        <message>
+            <source>The survey has no place on the earth yet. The map is kept and is shown once it has one: give it control points (Tools &gt; Place on the earth).</source>
+            <translation>调查数据还没有地理位置。底图已保留,待调查数据有了位置后显示:请给出控制点(工具 &gt; 地理位置)。</translation>
         </message>
     </context>
 </TS>

@@ -5722,6 +5722,90 @@
             <source>%1 x %2 cells of %3 m</source>
             <translation>%1 x %2 个单元，每个 %3 m</translation>
         </message>
+        <message>
+            <source>'%1' does not show the survey: it is %2 away</source>
+            <translation>“%1”中看不到调查数据：两者相距 %2</translation>
+        </message>
+        <message>
+            <source>'%1' does not tell where on the earth it lies</source>
+            <translation>“%1”没有给出它在地球上的位置</translation>
+        </message>
+        <message>
+            <source>'%1' has no band with colours</source>
+            <translation>“%1”没有颜色波段</translation>
+        </message>
+        <message>
+            <source>'%1' is in '%2', and PROJ knows no way from there to '%3': %4</source>
+            <translation>“%1”的坐标系是“%2”，PROJ 没有从它到“%3”的转换：%4</translation>
+        </message>
+        <message>
+            <source>'%1' is not there</source>
+            <translation>找不到“%1”</translation>
+        </message>
+        <message>
+            <source>'%1' shows another part of the earth</source>
+            <translation>“%1”显示的是地球上的另一处</translation>
+        </message>
+        <message>
+            <source>Check the coordinate systems of the picture and of the survey</source>
+            <translation>请检查图像和调查数据的坐标系</translation>
+        </message>
+        <message>
+            <source>Georeference the picture in a GIS</source>
+            <translation>请在 GIS 中为图像配准</translation>
+        </message>
+        <message>
+            <source>PROJ does not know the coordinate system of the survey, '%1'</source>
+            <translation>PROJ 不认识调查数据的坐标系“%1”</translation>
+        </message>
+        <message>
+            <source>a GeoTIFF with a georeference, or a PNG or JPEG with a world file (.pgw, .jgw) beside it</source>
+            <translation>带地理参照的 GeoTIFF，或旁边有坐标文件(.pgw、.jgw)的 PNG 或 JPEG</translation>
+        </message>
+        <message>
+            <source>a coordinate system of the same place on the earth</source>
+            <translation>地球上同一地点的坐标系</translation>
+        </message>
+        <message>
+            <source>a picture</source>
+            <translation>图像</translation>
+        </message>
+        <message>
+            <source>a picture of the place of the survey</source>
+            <translation>调查所在地的图像</translation>
+        </message>
+        <message>
+            <source>a picture that GDAL reads: GeoTIFF, PNG, JPEG, ...</source>
+            <translation>GDAL 能读取的图像：GeoTIFF、PNG、JPEG 等</translation>
+        </message>
+        <message>
+            <source>a projected coordinate system</source>
+            <translation>投影坐标系</translation>
+        </message>
+        <message>
+            <source>a smaller picture</source>
+            <translation>较小的图像</translation>
+        </message>
+        <message>
+            <source>band %1 of '%2' holds complex numbers</source>
+            <translation>“%2”的波段 %1 为复数</translation>
+        </message>
+        <message>
+            <source>map</source>
+            <translation>底图</translation>
+        </message>
+        <message>
+            <source>the map could not be warped: %1</source>
+            <translation>底图无法重采样：%1</translation>
+        </message>
+        <message>
+            <source>the survey is in '%1', which is no plane</source>
+            <translation>调查数据的坐标系是“%1”，不是平面坐标系</translation>
+        </message>
+        <message>
+            <source>there is no memory for the map</source>
+            <translation>没有足够的内存容纳底图</translation>
+        </message>
     </context>
     <context>
         <name>pipeline</name>

@@ -28,9 +28,9 @@ double half_height_m(vtkCamera* camera) {
   return camera->GetParallelProjection() != 0 ? camera->GetParallelScale() : perspective_half_height_m(camera);
 }
 
-double north_on_screen_rad(vtkCamera* camera) {
+double north_on_screen_rad(vtkCamera* camera, const Eigen::Vector2d& north) {
   const auto screen = screen_of(camera);
-  return -std::atan2(screen.right.y(), screen.up.y());
+  return -std::atan2(screen.right.head<2>().dot(north), screen.up.head<2>().dot(north));
 }
 
 void zoom_towards(vtkCamera* camera, const Eigen::Vector2d& off, double aspect, double factor) {

@@ -11,8 +11,8 @@ inline constexpr double approach_m = 7;  // from which a stem is looked at
 
 double half_height_m(vtkCamera* camera);  // of what is seen at the depth of the focal point
 
-// Where north (y) points on the screen, counter-clockwise from up.
-double north_on_screen_rad(vtkCamera* camera);
+// Where north (unit, x and y) points on the screen, counter-clockwise from up.
+double north_on_screen_rad(vtkCamera* camera, const Eigen::Vector2d& north);
 
 // Towards what lies at `off` (-1 to 1 from the centre) on the screen, at the depth of the focal point.
 void zoom_towards(vtkCamera* camera, const Eigen::Vector2d& off, double aspect, double factor);

@@ -68,6 +68,7 @@ void SceneView::before_frame() {
   const auto left = [](std::size_t all, std::size_t taken) { return all - std::min(all, taken); };
   complete_ = layer_.update(renderer_, left(budget.points, clouds_.drawn()), left(budget.fresh, clouds_.fresh())) &&
               clouds_complete;
+  map_.suit(2 * half_height_m(renderer_->GetActiveCamera()) / std::max(1, renderWindow()->GetSize()[1]));
   renderer_->ResetCameraClippingRange();
   furniture_.set_shadow({}, 0, 0);
   place_furniture();
@@ -102,7 +103,7 @@ double SceneView::draw_moving_frame() {
 
 bool SceneView::north_known() const {
   const Axes axes = survey_.points ? survey_.points->axes : Axes::unknown;
-  return axes == Axes::plot || axes == Axes::global;
+  return axes == Axes::plot || axes == Axes::global || map();
 }
 
 void SceneView::place_furniture() {
@@ -119,7 +120,7 @@ void SceneView::place_furniture() {
   if (settings_.scale_bar && has_survey() && half_m > 0) f.mm_per_metre = f.height_mm / 2 / half_m;
   f.perspective = camera->GetParallelProjection() == 0;
   f.grid_step_m = grid_step_m_;
-  f.north_rad = north_on_screen_rad(camera);
+  f.north_rad = north_on_screen_rad(camera, north());
   f.north = settings_.north && north_known();
   for (const auto& fact : facts_) f.notes.push_back(fact.toStdString());
   const auto view = pick_view();

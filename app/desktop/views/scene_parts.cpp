@@ -137,7 +137,21 @@ void SceneView::rebuild() {
   rebuild_grid();
   draw_highlight();
   draw_cameras();
+  draw_map();
 }
+
+void SceneView::set_map(std::shared_ptr<const SceneMap> map) {
+  if (map == map_.map()) return;
+  map_.set(std::move(map));
+  draw_map();
+  redraw();
+  Q_EMIT map_changed();
+  Q_EMIT settings_changed();
+}
+
+void SceneView::draw_map() { map_.draw(origin_, whole_.lo.z(), settings_.map && has_survey(), settings_.map_opacity); }
+
+Eigen::Vector2d SceneView::north() const { return map() ? map()->north : Eigen::Vector2d::UnitY(); }
 
 void SceneView::set_cameras(std::vector<render::CameraShape> cameras) {
   const bool first = cameras_.shapes().empty() && !has_survey();

@@ -49,8 +49,11 @@ QImage SceneView::picture(int width_px, bool transparent) {
                     "16 to " + std::to_string(max_side_px) + " pixels a side");
   makeCurrent();
   const double alpha = renderer_->GetBackgroundAlpha();
+  const Eigen::Vector3d ground(renderer_->GetBackground());
   moving_ = false;
-  if (transparent) renderer_->SetBackgroundAlpha(0);
+  // What is faded lets the background through, which is black where there is none: image_of().
+  renderer_->SetBackgroundAlpha(transparent ? 0 : 1);
+  if (transparent) renderer_->SetBackground(0, 0, 0);
   size_points(scale);
   window->SetSize(width_px, height_px);
   for (int frame = 0; frame == 0 || (!complete_ && frame < max_frames); ++frame) window->Render();
@@ -61,6 +64,7 @@ QImage SceneView::picture(int width_px, bool transparent) {
   QImage picture = image_of(window);
   if (!transparent) picture = picture.convertToFormat(QImage::Format_RGB888);
   renderer_->SetBackgroundAlpha(alpha);
+  renderer_->SetBackground(ground.x(), ground.y(), ground.z());
   size_points();
   window->SetSize(before[0], before[1]);
   redraw();

@@ -21,7 +21,12 @@ constexpr double target_s = 0.042;  // of a frame while the camera moves, until 
 }  // namespace
 
 SceneView::SceneView(Selection& selection, QWidget* parent)
-    : QVTKOpenGLNativeWidget(parent), selection_(selection), clouds_(renderer_), cameras_(renderer_), pace_(target_s) {
+    : QVTKOpenGLNativeWidget(parent),
+      selection_(selection),
+      clouds_(renderer_),
+      cameras_(renderer_),
+      map_(renderer_),
+      pace_(target_s) {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
   window->SetNumberOfLayers(2);
@@ -157,6 +162,7 @@ void SceneView::set_settings(const ViewSettings& settings) {
   dress_clouds();
   if (clip_handles_->shown()) show_clip_handles(settings_.clip.has_value());
   if (before.grid != settings_.grid) rebuild_grid();
+  if (before.map != settings_.map || before.map_opacity != settings_.map_opacity) draw_map();
   redraw();
 }
 

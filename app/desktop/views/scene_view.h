@@ -25,6 +25,7 @@
 #include "views/camera_layer.h"
 #include "views/clouds/cloud_layers.h"
 #include "views/frame_pace.h"
+#include "views/map/map_layer.h"
 #include "views/scene_drawing.h"
 #include "views/scene_outline.h"
 #include "views/view_point.h"
@@ -62,9 +63,10 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::vector<std::string> colorable() const;  // arrays of the cloud
   const render::PointPaint& paint() const { return layer_.paint(); }
   void set_filter(const render::PointFilter& filter);
-  const render::ClipBox& whole() const { return whole_; }       // around the cloud but its strays
-  bool north_known() const;                                     // from the axes of the points
-  render::ClipBox everything() const;                           // around every point; looks at each
+  const render::ClipBox& whole() const { return whole_; }              // around the cloud but its strays
+  bool extent_known() const { return has_survey() && extent_known_; }  // whole() is that of something
+  bool north_known() const;                                            // from the axes of the points, or a map
+  render::ClipBox everything() const;                                  // around every point; looks at each
   const render::Interval& heights() const { return heights_; }  // above ground, or z, of the cloud but its strays
   void show_clip_handles(bool on);
   bool clip_handles_shown() const;
@@ -124,6 +126,11 @@ class SceneView : public QVTKOpenGLNativeWidget {
   const std::vector<SceneCloud>& clouds() const { return clouds_.clouds(); }
   const CloudLayers& cloud_layers() const { return clouds_; }
 
+  // A picture of the place below the survey; null: none. Shown as the settings have it.
+  void set_map(std::shared_ptr<const SceneMap> map);
+  const std::shared_ptr<const SceneMap>& map() const { return map_.map(); }
+  Eigen::Vector2d north() const;  // unit, world x and y: that of the map, else the y axis
+
   std::optional<SceneEye> eye();  // none of a parallel view
   // A picture of what is seen from the eye, over the points until the eye moves.
   void show_rendering(const ColorImage& picture);
@@ -159,6 +166,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void settings_changed();                // by the view: handles of the clip box, another survey
   void index_built();
   void clouds_changed();  // those beside the survey
+  void map_changed();     // another one, or none
   void eye_moved();       // or the size of the view changed; after the frame that showed it
 
  protected:
@@ -186,6 +194,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   bool sees_stem(const Eigen::Vector2d& from, const render::StemShape& stem) const;
   void measure_extent();
   void draw_cameras();
+  void draw_map();
   std::optional<render::ClipBox> all_of_it() const;
   void rebuild_grid();
   void draw_highlight();
@@ -241,6 +250,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   vtkSmartPointer<vtkActor> highlight_, grid_, marked_;
   std::vector<std::uint32_t> marked_points_;  // of the survey
   CameraLayer cameras_;
+  MapLayer map_;
   Eigen::Vector3d eye_ = Eigen::Vector3d::Zero();  // where look_along() put the camera
   std::vector<double> last_eye_;                   // of the last frame: place, direction, angle and size
   bool rendering_ = false;                         // a picture lies over the points

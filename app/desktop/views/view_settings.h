@@ -19,6 +19,8 @@ struct ViewSettings {
   bool grid = false;
   bool legend = true, scale_bar = true, north = true;
   bool trees = true;  // their numbers, with symbols for quality and decisions
+  bool map = true;    // behind the survey, where there is one
+  double map_opacity = 1;
 };
 
 }  // namespace bole::desktop

@@ -26,6 +26,15 @@ PlanMap::PlanMap(Workbench& bench) : QObject(&bench), bench_(bench) {
     bench_.scene().set_flat(false);
     bench_.commands().update();
   });
+  // A map tells where north is.
+  connect(&bench_.scene(), &SceneView::map_changed, this, [this] {
+    if (on() && !bench_.scene().north().isApprox(north_)) look_down();
+  });
+}
+
+void PlanMap::look_down() {
+  north_ = bench_.scene().north();
+  bench_.scene().look_along(-Eigen::Vector3d::UnitZ(), {north_.x(), north_.y(), 0});
 }
 
 void PlanMap::turn(bool on) {
@@ -48,7 +57,7 @@ void PlanMap::turn(bool on) {
     if (points && points->has(arrays::height_above_ground)) settings.filter.height.hi = stems_below_m;
     scene.set_settings(settings);
     scene.set_parallel(true);
-    scene.look_along(-Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitY());
+    look_down();
   }
   Q_EMIT scene.settings_changed();
 }

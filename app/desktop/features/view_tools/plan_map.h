@@ -26,8 +26,11 @@ class PlanMap : public QObject {
     ViewSettings settings;
     ViewPoint point;
   };
+  void look_down();
+
   Workbench& bench_;
   std::optional<Before> before_;
+  Eigen::Vector2d north_ = Eigen::Vector2d::UnitY();  // that is up
 };
 
 }  // namespace bole::desktop

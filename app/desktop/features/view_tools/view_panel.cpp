@@ -55,6 +55,8 @@ QPushButton* button(const char* id, const QString& text, const QString& tip) {
   return made;
 }
 
+constexpr double percent = 100;
+
 const auto changed = QOverload<double>::of(&QDoubleSpinBox::valueChanged);
 
 }  // namespace
@@ -169,6 +171,28 @@ void ViewPanel::make_switches(QFormLayout* form) {
             [this, member = members[k]](bool on) { change([=](auto& s) { s.*member = on; }); });
     form->addRow(switches_[k]);
   }
+  make_map_row(form);
+}
+
+void ViewPanel::make_map_row(QFormLayout* form) {
+  ground_ = check("view_ground", tr("Map behind"), {});
+  ground_opacity_ =
+      number_box("view_ground_opacity", tr("Opacity of the map; less lets the background through"), 5, 0, tr(" %"));
+  ground_opacity_->setRange(5, percent);
+  connect(ground_, &QCheckBox::toggled, this, [this](bool on) { change([on](auto& s) { s.map = on; }); });
+  connect(ground_opacity_, changed, this, [this](double v) { change([v](auto& s) { s.map_opacity = v / percent; }); });
+  form->addRow(row_of({ground_, ground_opacity_}));
+}
+
+// Without a map there is nothing to set.
+void ViewPanel::show_map() {
+  const bool there = scene_.map() != nullptr;
+  ground_->setEnabled(there);
+  ground_->setChecked(there && scene_.settings().map);
+  ground_->setToolTip(there ? tr("The picture of the place below the survey")
+                            : tr("Open a map first: File > Map behind the survey."));
+  ground_opacity_->setEnabled(there && scene_.settings().map);
+  ground_opacity_->setValue(percent * scene_.settings().map_opacity);
 }
 
 void ViewPanel::take_range() {
@@ -238,6 +262,7 @@ void ViewPanel::show_state() {
   const bool on[] = {s.eye_dome, s.grid, s.legend, s.scale_bar, s.north, s.trees};
   for (std::size_t k = 0; k < switches_.size(); ++k) switches_[k]->setChecked(on[k]);
   show_north();
+  show_map();
   following_ = false;
 }
 

@@ -30,7 +30,9 @@ class ViewPanel : public QWidget {
   void make_height_rows(QFormLayout* form);
   void make_clip_rows(QFormLayout* form);
   void make_switches(QFormLayout* form);
+  void make_map_row(QFormLayout* form);
   void show_north();
+  void show_map();
   void take_range();
   void take_heights(double lo, double hi);
   void take_clip();
@@ -45,6 +47,8 @@ class ViewPanel : public QWidget {
   QCheckBox *clip_, *handles_;
   std::array<QDoubleSpinBox*, 6> box_{};  // west, east, south, north, foot, top
   QComboBox* map_ = nullptr;
+  QCheckBox* ground_ = nullptr;  // the map behind
+  QDoubleSpinBox* ground_opacity_ = nullptr;
   static constexpr std::size_t north_switch = 4;
   std::array<QCheckBox*, 6> switches_{};  // as in the settings
   bool following_ = false;                // shows a state, makes none

@@ -1,0 +1,45 @@
+// A map below the survey in the 3-D view: a picture of the place, flat at the foot of what is drawn.
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkTexture.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <memory>
+
+#include "render/beside/ground_picture.h"
+
+namespace bole::desktop {
+
+struct SceneMap {
+  std::shared_ptr<const render::GroundPicture> picture;
+  std::shared_ptr<const render::GroundPicture> coarse;  // of the same place, for views from afar; null: none is needed
+  double pixel_m = 1;                                   // of `picture`
+  std::array<Eigen::Vector2d, 4> corners;  // north-west, north-east, south-east, south-west; world x and y, metres
+  Eigen::Vector2d north = Eigen::Vector2d::UnitY();  // of its coordinate system, in world axes; unit
+};
+
+class MapLayer {
+ public:
+  explicit MapLayer(vtkRenderer* renderer) : renderer_(renderer) {}
+
+  void set(std::shared_ptr<const SceneMap> map);  // null: none; drawn by draw()
+  const std::shared_ptr<const SceneMap>& map() const { return map_; }
+  // At the height `z`, world coordinates; `origin` of the scene.
+  void draw(const Eigen::Vector3d& origin, double z, bool visible, double opacity);
+  void suit(double metres_per_px);  // of the view: before a frame
+
+ private:
+  vtkTexture* texture();
+
+  vtkRenderer* renderer_;
+  std::shared_ptr<const SceneMap> map_;
+  vtkSmartPointer<vtkTexture> fine_, coarse_;  // made when they are needed
+  vtkSmartPointer<vtkActor> actor_;
+  double metres_per_px_ = 1e9;
+};
+
+}  // namespace bole::desktop
