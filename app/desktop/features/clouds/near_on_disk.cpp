@@ -9,7 +9,7 @@ namespace {
 
 using Query = io::copc::CopcTree::Query;
 
-constexpr double min_margin_m = 0.1;
+constexpr double min_searched_m = 0.1;
 constexpr double finest_share = 1.0 / 65536;  // of the spacing of the root: no file has so many levels
 
 Eigen::AlignedBox3d box_of(const PointCloud& cloud) {
@@ -54,7 +54,7 @@ NearOnDisk near_on_disk(const DiskPoints& disk, const render::CloudPlace& place,
   if (tree.max_points_in(queries[0], run) > max_points) {
     found.all_within_m = margin_m;
     Query near = queries[0];
-    while (found.all_within_m > min_margin_m && tree.max_points_in(near, run) > max_points / 2)
+    while (found.all_within_m > min_searched_m && tree.max_points_in(near, run) > max_points / 2)
       near = about_box(world, found.all_within_m /= 2, place);
     near = thinned(near, tree, max_points / 2, run);
     if (near.spacing > 0) found.all_within_m = 0;
