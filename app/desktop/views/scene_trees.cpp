@@ -111,6 +111,7 @@ void SceneView::zoom_to_tree(std::int64_t id) {
     camera->Azimuth(angle_deg);
     break;
   }
+  begin_motion();  // a first frame at once, of as many points as there is time for; the rest follows
   redraw();
 }
 

@@ -69,8 +69,8 @@ void StemReview::step(int direction) {
 
 void StemReview::show(std::int64_t tree) {
   last_ = tree;
+  bench_.scene().zoom_to_tree(tree);  // first: what the selection draws is then a frame of a moving view
   bench_.selection().select(tree);
-  bench_.scene().zoom_to_tree(tree);
   bench_.hint(tr("%n stem(s) not decided yet", nullptr, static_cast<int>(open_stems())));
 }
 
