@@ -88,10 +88,14 @@ double longest_extent(const PointCloud& cloud, const std::vector<std::uint32_t>&
 double seen_extent(const PointCloud& cloud, const std::vector<std::uint32_t>& points,
                    const std::vector<std::uint64_t>& views, double otherwise) {
   constexpr std::size_t min_seen = 5;
-  const auto* passes = cloud.has(arrays::pass) ? &cloud.values<std::int32_t>(arrays::pass) : nullptr;
-  std::map<std::pair<std::uint64_t, std::int32_t>, std::vector<std::uint32_t>> seen;
-  for (std::size_t k = 0; k < points.size(); ++k)
-    seen[{views[k], passes ? (*passes)[points[k]] : 0}].push_back(points[k]);
+  // Of any type: clouds from elsewhere have columns of this name too.
+  const Column* passes = cloud.has(arrays::pass) ? &cloud.column(arrays::pass.name) : nullptr;
+  const auto pass_of = [&](std::uint32_t i) {
+    const double pass = passes != nullptr ? column_value(*passes, i) : 0.0;
+    return std::isfinite(pass) ? pass : 0.0;
+  };
+  std::map<std::pair<std::uint64_t, double>, std::vector<std::uint32_t>> seen;
+  for (std::size_t k = 0; k < points.size(); ++k) seen[{views[k], pass_of(points[k])}].push_back(points[k]);
   std::vector<double> extents;
   for (const auto& [view, members] : seen)
     if (members.size() >= min_seen) extents.push_back(longest_extent(cloud, members));

@@ -139,6 +139,12 @@ TEST(PlotFrame, ABentMapKeepsItsTargetsAndSaysSo) {
   EXPECT_THAT(find(TargetPlotMaker(r).make(tilted_map())).report.warnings, ::testing::IsEmpty());
 }
 
+TEST(PlotFrame, APassOfAnotherTypeIsReadToo) {
+  auto plot = TargetPlotMaker({}).make(tilted_map());
+  plot.cloud.set_column(arrays::pass.name, make_column(ArrayType::uint8, plot.cloud.size()));
+  EXPECT_EQ(find(plot).axes, Axes::plot);
+}
+
 TEST(PlotFrame, AReflectiveJacketThatWalksAlongIsNoTarget) {
   TargetPlotRecipe r;
   r.moving_jacket = true;
