@@ -3469,6 +3469,10 @@
     <context>
         <name>bole::desktop::CloudJobs</name>
         <message>
+            <source>%1 has too many points for View &gt; Memory for points on disk: those about %2 m apart were used.</source>
+            <translation>%1 的点太多，超出“视图 &gt; 磁盘点云的内存”：使用间距约 %2 m 的点。</translation>
+        </message>
+        <message>
             <source>%1 has too many points for View &gt; Memory for points on disk: within %2 m all were used, farther away those about %3 m apart.</source>
             <translation>%1 的点太多，超出“视图 &gt; 磁盘点云的内存”：%2 m 以内使用全部点，更远处使用间距约 %3 m 的点。</translation>
         </message>

@@ -111,6 +111,11 @@ void CloudJobs::register_finely(int cloud, int onto, double reach_m) {
 void CloudJobs::tell_spacing() {
   if (!from_disk_ || from_disk_->spacing_m == 0) return;
   const QString name = given_.other == 0 ? tr("the survey") : clouds_.find(given_.other)->name();
+  if (from_disk_->all_within_m == 0)
+    return bench_.say(
+        tr("%1 has too many points for View > Memory for points on disk: those about %2 m apart were used.")
+            .arg(name)
+            .arg(from_disk_->spacing_m, 0, 'g', 2));
   bench_.say(tr("%1 has too many points for View > Memory for points on disk: within %2 m all were used, farther away "
                 "those about %3 m apart.")
                  .arg(name)
