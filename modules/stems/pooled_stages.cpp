@@ -15,13 +15,13 @@ struct PoolOptions {
 pipeline::StageType evidence_stage() {
   pipeline::StageType t;
   t.name = "stems.evidence";
-  t.version = 5;
+  t.version = 6;
   t.vtk_class = "vtkBoleStemEvidence";
   t.title = "Evidence of the stems";
   t.help =
       "The first look of stems.measure, with the same options: finds stems and gives for each what it says about the "
       "errors that all stems share (spread of passes and views, range offset, length of the walk, noise of the "
-      "ranges). "
+      "ranges, blur of the map). "
       "Run it on parts of a cloud, and pool the rows of all parts with stems.pool_priors.";
   t.source = "Bole";
   t.inputs = measure_ports();
@@ -60,13 +60,14 @@ pipeline::StageType pool_stage() {
       "A larger value lets the stems say more."}});
   pipeline::StageType t;
   t.name = "stems.pool_priors";
-  t.version = 4;
+  t.version = 5;
   t.vtk_class = "vtkBolePoolPriors";
   t.title = "Pool the priors";
   t.help =
       "Puts together what stems say in several parts of a cloud: the mean spread of passes and views that their "
-      "evidence allows, the mean range offset, how much the walk is too short and the "
-      "middle noise. stems.measure takes the row in place of what it would learn from its own stems.";
+      "evidence allows, the mean range offset, how much the walk is too short, the "
+      "middle noise and the middle blur. stems.measure takes the row in place of what it would learn from its own "
+      "stems.";
   t.source = "Bole";
   t.inputs = {{"evidence", DataKind::table, "Rows of stems.evidence, of all parts.", false, {}}};
   t.outputs = {{"priors", DataKind::table, "One row, for stems.measure.", false, {}, true}};

@@ -555,12 +555,12 @@
             <translation>将点云一个分块的结果写成与相邻分块相接的文件:所有测得树干的表(包括缓冲区内的),以及仅限核心区的地形和点。</translation>
         </message>
         <message>
-            <source>The first look of stems.measure, with the same options: finds stems and gives for each what it says about the errors that all stems share (spread of passes and views, range offset, length of the walk, noise of the ranges). Run it on parts of a cloud, and pool the rows of all parts with stems.pool_priors.</source>
-            <translation>stems.measure 的第一步,选项相同:查找树干,并给出每株对所有树干共有误差(各趟与各视角的离散、测距偏移、行走路径长度、测距噪声)的信息。对点云的各部分运行,再用 stems.pool_priors 汇总各部分的行。</translation>
+            <source>The first look of stems.measure, with the same options: finds stems and gives for each what it says about the errors that all stems share (spread of passes and views, range offset, length of the walk, noise of the ranges, blur of the map). Run it on parts of a cloud, and pool the rows of all parts with stems.pool_priors.</source>
+            <translation>stems.measure 的第一步,选项相同:查找树干,并给出每株对所有树干共有误差(各趟与各视角的离散、测距偏移、行走路径长度、测距噪声、地图模糊)的信息。对点云的各部分运行,再用 stems.pool_priors 汇总各部分的行。</translation>
         </message>
         <message>
-            <source>Puts together what stems say in several parts of a cloud: the mean spread of passes and views that their evidence allows, the mean range offset, how much the walk is too short and the middle noise. stems.measure takes the row in place of what it would learn from its own stems.</source>
-            <translation>汇总点云若干部分中树干给出的信息:证据所允许的各趟与各视角离散均值、平均测距偏移、行走路径偏短的比例和噪声中位数。stems.measure 用这一行代替从自身树干学到的值。</translation>
+            <source>Puts together what stems say in several parts of a cloud: the mean spread of passes and views that their evidence allows, the mean range offset, how much the walk is too short, the middle noise and the middle blur. stems.measure takes the row in place of what it would learn from its own stems.</source>
+            <translation>汇总点云若干部分中树干给出的信息:证据所允许的各趟与各视角离散均值、平均测距偏移、行走路径偏短的比例、噪声中位数和地图模糊中位数。stems.measure 用这一行代替从自身树干学到的值。</translation>
         </message>
         <message>
             <source>Gives the points of a part of a cloud the tree ids of the whole: the table says which number each tree of the part gets. Points of trees that it does not list belong to no tree.</source>

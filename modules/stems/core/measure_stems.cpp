@@ -36,7 +36,8 @@
 namespace bole::stems {
 namespace {
 
-constexpr int max_alignments = 2, max_stretchings = 2, max_looks = 2;
+constexpr int max_alignments = 2, max_stretchings = 2, max_looks = 2, max_looks_at_blur = 4;
+constexpr double still_blur = 0.05;  // as a share
 constexpr std::size_t min_stems_to_settle = 3;
 constexpr double unknown_once_aligned_m = 0.0007;  // of all radii alike: displacements take up some of the range offset
 constexpr double max_learnt_noise_m = 0.035;       // of the residuals' scale
@@ -58,6 +59,7 @@ class Survey {
 
   StemSurvey measure(const PooledPriors* pooled, const std::vector<PointEdit>& given) {
     pooled_ = pooled;
+    if (pooled_ != nullptr) blur_ = pooled_->blur;
     given_ = given;
     points_ = without_given_classes(points_, given_, run_);
     take_sensor();
@@ -95,23 +97,52 @@ class Survey {
   ProjectPriors priors_before() const {
     ProjectPriors priors;
     if (!options_.estimate_range_offset) priors.range_offset.sd_m = known_range_offset_sd_m;
+    priors.blur = blur_;
     return priors;
   }
 
   // Stems by their first fits, and what they say together.
   ProjectPriors search() {
-    fitted_.clear(), unfitted_.clear(), repeated_.clear(), out_.rejected.clear(), tried_ = 0;
+    out_.rejected.clear(), tried_ = 0;
     detect();
+    const auto found = candidates_;
+    const auto weak = out_.rejected;
+    look_at_candidates();
+    if (learn_blur()) {
+      candidates_ = found, out_.rejected = weak, tried_ = 0;
+      look_at_candidates();
+    }
     auto priors = priors_before();
-    fit_all(priors);
-    test_rays();
-    retry_displaced(priors);
-    drop_repeated();
     if (pooled_ == nullptr)
       learn_priors(fitted_, options_, moved_m_, priors, out_.report, run_);
     else
       take_pooled(*pooled_, options_, moved_m_, priors, out_.report);
     return priors;
+  }
+
+  void look_at_candidates() {
+    fitted_.clear(), unfitted_.clear(), repeated_.clear();
+    const auto priors = priors_before();
+    fit_all(priors);
+    test_rays();
+    retry_displaced(priors);
+    drop_repeated();
+  }
+
+  // In a blurred map stems seem to curve too little, and all that they share would be learnt wrongly. The blur itself
+  // is seen too small by fits that do not know of it. True where the stems are to be looked at anew.
+  bool learn_blur() {
+    if (pooled_ != nullptr) return false;
+    bool fitted_anew = false;
+    for (int look = 0; look < max_looks_at_blur; ++look) {
+      const double before_m = blur_.mean_m;
+      blur_ = seen_blur(fitted_, options_);
+      if (std::abs(blur_.mean_m - before_m) <= still_blur * blur_.mean_m) break;
+      refit_where(priors_before(), 0, [this](const Stem& s) { return !objection(s, options_); });
+      fitted_anew = true;
+    }
+    if (blur_.mean_m > 0) out_.report.metrics["blur_across_rays"] = {100 * blur_.mean_m, Unit::centimetre};
+    return fitted_anew;
   }
 
   // Ranges may scatter by more than the sensor is said to: a scale that is capped too low takes the rims of the scatter
@@ -311,9 +342,14 @@ class Survey {
 
   // What is no stem after the first round needs no second.
   void refit_all(const ProjectPriors& priors, std::size_t first = 0) {
+    refit_where(priors, first, [this](const Stem& s) { return !hopeless(s); });
+  }
+
+  template <class Which>
+  void refit_where(const ProjectPriors& priors, std::size_t first, Which which) {
     for_each_fit(0.65, 0.80, fitted_.size() - first, [&](std::size_t i) {
       auto& s = fitted_[first + i];
-      if (hopeless(s)) return;
+      if (!which(s)) return;
       auto again = refit_stem(s, layer_, rays_, *dem_, points_.origin, breast_height_, priors, options_, run_);
       if (!again.stem) return;
       again.stem->ray_through = s.ray_through, again.stem->fork_m = s.fork_m;
@@ -402,6 +438,7 @@ class Survey {
   double taken_out_ = 0;      // of the range stretch
   double stretch_doubt_ = 0;  // standard deviation of the range stretch that is left
   double noise_m_ = 0;        // scatter of ranges on the bark, middle of the stems; 0: not known
+  BlurPrior blur_;            // as far as it is known yet
   const Raster& input_dem_;
   Raster lengthened_dem_;
   const Raster* dem_;  // of the points as they lie

@@ -1,10 +1,11 @@
 // stem_accuracy cloud=FILE truth=FOLDER [cloud=FILE truth=FOLDER ...] [models=surface,ray] [list=yes] [out=FOLDER]
-// [perturb=CM] [perturb_seed=N] [option=value ...] Diameters against known truth: FILE is a cloud with heights above
-// ground (cloud.las of `bole run`; dem.tif beside it is used where present), FOLDER one of `bole simulate` (trees.csv,
-// dem.tif). Prints bias, RMSE and coverage of the 95 % interval by model and by diameter class, beside plain circles
-// through the same slices. `perturb` displaces every pass of the walk, its points with its sensor positions, by normal
-// errors of that standard deviation per horizontal axis. `out` keeps the tables of the last model, for stem_tables.py:
-// FOLDER/NAME/stems.csv where NAME is that of the truth folder. Not a Google Benchmark, for the answer is not a time.
+// [perturb=CM] [blur=CM] [blur_s=0.1] [perturb_seed=N] [option=value ...] Diameters against known truth: FILE is a
+// cloud with heights above ground (cloud.las of `bole run`; dem.tif beside it is used where present), FOLDER one of
+// `bole simulate` (trees.csv, dem.tif). Prints bias, RMSE and coverage of the 95 % interval by model and by diameter
+// class, beside plain circles through the same slices. `perturb` displaces every pass of the walk, its points with its
+// sensor positions, by normal errors of that standard deviation per horizontal axis; `blur` every stretch of `blur_s`
+// seconds of it. `out` keeps the tables of the last model, for stem_tables.py: FOLDER/NAME/stems.csv where NAME is that
+// of the truth folder. Not a Google Benchmark, for the answer is not a time.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -51,19 +52,20 @@ Plot load(const std::filesystem::path& cloud, const std::filesystem::path& truth
   return plot;
 }
 
+// Standard deviations per horizontal axis, metres.
 struct Perturbation {
-  double sd_m = 0;
+  double sd_m = 0;      // of passes
+  double blur_m = 0;    // of stretches of the walk of `blur_s` each
+  double blur_s = 0.1;  // a sweep at 10 Hz
   unsigned seed = 1;
 };
 
-// Displaces points and sensors of each pass alike, in the plane.
-void perturb(PointCloud& points, const Perturbation& p) {
-  if (p.sd_m <= 0) return;
-  const auto& pass = points.values<std::int32_t>(arrays::pass);
-  std::map<std::int32_t, Eigen::Vector2f> shift;
-  for (const auto k : pass) shift.try_emplace(k, 0, 0);
-  std::mt19937 random(p.seed);
-  std::normal_distribution<double> normal(0, p.sd_m);
+// Displaces points and sensors of each part of the walk alike, in the plane.
+void displace(PointCloud& points, const std::vector<std::int64_t>& part, double sd_m, unsigned seed, const char* what) {
+  std::map<std::int64_t, Eigen::Vector2f> shift;
+  for (const auto k : part) shift.try_emplace(k, 0, 0);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal(0, sd_m);
   for (auto& [k, s] : shift) {
     const double x = normal(random), y = normal(random);
     s = Eigen::Vector2d(x, y).cast<float>();
@@ -71,12 +73,25 @@ void perturb(PointCloud& points, const Perturbation& p) {
   auto positions = points.positions();
   auto sensor_x = points.values<float>(arrays::sensor_x), sensor_y = points.values<float>(arrays::sensor_y);
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    const auto& s = shift[pass[i]];
+    const auto& s = shift[part[i]];
     positions[i].head<2>() += s, sensor_x[i] += s.x(), sensor_y[i] += s.y();
   }
   points.set_positions(std::move(positions));
   points.set_column(arrays::sensor_x, std::move(sensor_x)), points.set_column(arrays::sensor_y, std::move(sensor_y));
-  fmt::print("{} passes displaced by {:.1f} cm\n", shift.size(), 100 * p.sd_m);
+  fmt::print("{} {} displaced by {:.1f} cm\n", shift.size(), what, 100 * sd_m);
+}
+
+void perturb(PointCloud& points, const Perturbation& p) {
+  if (p.sd_m > 0) {
+    const auto& pass = points.values<std::int32_t>(arrays::pass);
+    displace(points, {pass.begin(), pass.end()}, p.sd_m, p.seed, "passes");
+  }
+  if (p.blur_m > 0) {
+    std::vector<std::int64_t> sweep;
+    for (const double t : points.values<double>(arrays::time))
+      sweep.push_back(static_cast<std::int64_t>(std::floor(t / p.blur_s)));
+    displace(points, sweep, p.blur_m, p.seed, "stretches");
+  }
 }
 
 // Errors of one way of measuring, centimetres, with half the width of the interval (0: none).
@@ -160,11 +175,14 @@ void measure(const Plot& plot, const stems::MeasureOptions& options, const std::
     errors.add(plot.trees[t].dbh_cm, dbh[s], low[s], high[s]);
     stems_of_tree[t] = survey.stems[s];
     if (list)
-      fmt::print("  {:6.2f} {:+.2f} [{:+.2f} {:+.2f}] {} passes, arc {:.0f}, offset {:.1f}+-{:.1f} mm, {}\n",
-                 plot.trees[t].dbh_cm, dbh[s] - plot.trees[t].dbh_cm, low[s] - plot.trees[t].dbh_cm,
-                 high[s] - plot.trees[t].dbh_cm, survey.stems[s].passes, 57.3 * survey.stems[s].arc_rad,
-                 1e3 * survey.stems[s].range_offset.value_m, 1e3 * survey.stems[s].range_offset.sd_m,
-                 table.texts("reasons")[s]);
+      fmt::print(
+          "  {:6.2f} {:+.2f} [{:+.2f} {:+.2f}] {} passes, arc {:.0f}, offset {:.1f}+-{:.1f} mm, "
+          "blur {:.1f}, noise {:.1f}, wall {:.1f} mm, {}\n",
+          plot.trees[t].dbh_cm, dbh[s] - plot.trees[t].dbh_cm, low[s] - plot.trees[t].dbh_cm,
+          high[s] - plot.trees[t].dbh_cm, survey.stems[s].passes, 57.3 * survey.stems[s].arc_rad,
+          1e3 * survey.stems[s].range_offset.value_m, 1e3 * survey.stems[s].range_offset.sd_m,
+          1e3 * survey.stems[s].blur_m, 1e3 * survey.stems[s].noise_m, 1e3 * survey.stems[s].wall_m,
+          table.texts("reasons")[s]);
   }
 }
 
@@ -219,6 +237,10 @@ int run(int argc, char** argv) {
       out = value;
     else if (name == "perturb")
       perturbation.sd_m = std::stod(value) / 100;
+    else if (name == "blur")
+      perturbation.blur_m = std::stod(value) / 100;
+    else if (name == "blur_s")
+      perturbation.blur_s = std::stod(value);
     else if (name == "perturb_seed")
       perturbation.seed = static_cast<unsigned>(std::stoul(value));
     else

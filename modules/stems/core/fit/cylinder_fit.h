@@ -20,8 +20,10 @@ struct BarkPoint {
   std::int32_t cloud_pass = 0;  // of the cloud; 0 when not known
   double time = 0;              // likewise
   float range = 0;              // from the sensor, metres; 0 when not known
-  float beam_sd = 0;            // of the light across the beam at the point, metres; 0: a thin ray
-  float beam_doubt = 0;         // standard deviation of beam_sd, metres: all points err alike
+  float beam_sd = 0;     // of where the light met the stem, across the ray, metres: width of the beam and blur of the
+                         // map; 0: a thin ray
+  float beam_doubt = 0;  // standard deviation of beam_sd, metres: all points err alike
+  float scattered = 0;   // share of beam_sd squared that is blur
 };
 
 // A view is what one pass sees from one direction: errors of the poses change with both. Numbers the points by pass
@@ -131,6 +133,14 @@ class CylinderResiduals {
   explicit CylinderResiduals(const TaperedCylinder& cylinder);
   PointResidual surface(const BarkPoint& point, bool derivatives = true) const;
   PointResidual along_ray(const BarkPoint& point, double ray_gate, bool derivatives = true) const;
+
+  // Of the ray of a point, in the plane across the axis, metres: the distance of its line from the axis, and how far
+  // beyond the foot of the axis on it the point lies.
+  struct RayPlace {
+    double impact = 0, along = 0;
+    bool known = false;  // not without a ray, or nearly parallel to the stem
+  };
+  RayPlace place_of_ray(const BarkPoint& point) const;
 
  private:
   Eigen::Vector3d from_axis(const BarkPoint& point) const;  // from the axis point of its view

@@ -52,7 +52,7 @@ PointResidual CylinderResiduals::along_ray(const BarkPoint& point, double ray_ga
   if (radius <= 0 || impact2 >= ray_gate * ray_gate * radius * radius) return out;
   const double by_r = 1 / radius, share2 = impact2 * by_r * by_r, width = point.beam_sd * by_r;
   if (share2 >= 1 && width <= 0) return out;  // a ray that would miss
-  const LitDepth lit = lit_depth_(share2, width);
+  const LitDepth lit = lit_depth_(share2, width, point.scattered);
   const double across = along + radius * lit.depth;
   out.value = across * by_m - c_.range_offset, out.impact = std::sqrt(share2), out.usable = true;
   if (!derivatives) return out;
@@ -76,6 +76,15 @@ PointResidual CylinderResiduals::along_ray(const BarkPoint& point, double ray_ga
   out.jacobian[4] = by_radius * by_m, out.jacobian[5] = s * out.jacobian[4];
   out.jacobian[6] = -1;
   return out;
+}
+
+CylinderResiduals::RayPlace CylinderResiduals::place_of_ray(const BarkPoint& point) const {
+  const Eigen::Vector3d q = from_axis(point);
+  const Eigen::Vector3d across = q - q.dot(axis_) * axis_, d = point.ray - point.ray.dot(axis_) * axis_;
+  const double length = d.norm();
+  if (length < 0.3) return {};
+  const double along = across.dot(d) / length;
+  return {std::sqrt(std::max(0.0, across.squaredNorm() - along * along)), along, true};
 }
 
 PointResidual surface_residual(const TaperedCylinder& c, const BarkPoint& point, bool derivatives) {

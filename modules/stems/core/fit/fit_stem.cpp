@@ -13,6 +13,7 @@
 #include "stems/core/detect/ring_density.h"
 #include "stems/core/fit/circle_fit.h"
 #include "stems/core/fit/contour.h"
+#include "stems/core/fit/edge_softness.h"
 #include "stems/core/fit/seen_bark.h"
 #include "stems/core/fit/stem_points.h"
 #include "stems/core/fit/stem_sections.h"
@@ -146,6 +147,7 @@ class StemFitter {
 
   StemFitResult again(const Stem& before) {
     StemFitResult result;
+    own_blur_m_ = before.blur_m;
     AxisLine axis{before.breast_height, before.direction, before.radius - (before.along_rays ? bark_.relief_m : 0),
                   before.taper};
     std::optional<Attempt> last;
@@ -210,6 +212,18 @@ class StemFitter {
     return z;
   }
 
+  // What the edges of this stem say and what those of all do, by how well either is known.
+  void take_blur(GatherOptions& gather) const {
+    const auto& shared = priors_.blur;
+    if (!(shared.mean_m > 0)) return;
+    constexpr double blur_form_doubt = 0.3;  // poses of SLAM scatter neither normally nor each for itself
+    const double own_sd = blur_error_of_stem * shared.mean_m, between2 = shared.between_m * shared.between_m;
+    const double weight = std::isfinite(own_blur_m_) ? between2 / (between2 + own_sd * own_sd) : 0;
+    gather.blur = (1 - weight) * shared.mean_m + (weight > 0 ? weight * own_blur_m_ : 0);
+    const double of_stem = weight > 0 ? std::sqrt(weight) * own_sd : shared.between_m;
+    gather.blur_doubt = std::hypot(blur_form_doubt * gather.blur, of_stem);
+  }
+
   Attempt prepare(const AxisLine& axis, std::size_t most) {
     Attempt a;
     const double ground = ground_at(axis);
@@ -224,6 +238,7 @@ class StemFitter {
     gather.beam_divergence = 1e-3 * options_.beam_divergence_mrad.value_or(assumed_beam_divergence_mrad);
     gather.beam_doubt = 1e-3 * options_.beam_divergence_sd_mrad.value_or(assumed_beam_divergence_sd_mrad);
     gather.beam_aperture = options_.beam_aperture.value_or(assumed_beam_aperture);
+    take_blur(gather);
     gather.lowest = options_.search_bottom - breast_height_ - 0.1;
     gather.highest = options_.search_top - breast_height_;
     a.points = gather_bark(near_, a.axes, gather, run_);
@@ -288,6 +303,7 @@ class StemFitter {
 
   Stem describe(const Attempt& a, const CylinderFit& fit, const AxisLine& axis) const;
   std::vector<PassSeen> seen_from(const Attempt& a) const;
+  static double blur_of(const Attempt& a, const CylinderFit& fit);
 
   const StemCandidate& candidate_;
   NearPoints near_;
@@ -300,6 +316,7 @@ class StemFitter {
   Bark bark_;
   const Run& run_;
   bool first_look_ = false;
+  double own_blur_m_ = std::numeric_limits<double>::quiet_NaN();
 };
 
 Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLine& axis) const {
@@ -308,6 +325,7 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
   s.ground_z = a.axes.ground_z, s.direction = axis.direction, s.breast_height = axis.point;
   s.along_rays = fit.along_rays;
   s.noise_m = fit.noise_m;
+  if (fit.along_rays) s.blur_m = blur_of(a, fit);
   s.radius = fit.cylinder.radius + (fit.along_rays ? bark_.relief_m : 0), s.taper = fit.cylinder.taper;
   s.rays_known = rays_.has_sensor(), s.passes = a.passes;
   s.pass_offset = fit.pass_offset, s.drift = fit.drift, s.range_offset = fit.range_offset,
@@ -376,6 +394,25 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
                        s.highest = std::max(s.highest, m.section.height);
   }
   return s;
+}
+
+// By the returns in front of the stem and about its edges.
+double StemFitter::blur_of(const Attempt& a, const CylinderFit& fit) {
+  const CylinderResiduals of(fit.cylinder);
+  const double reach = 3 * fit.noise_m;
+  std::vector<double> impacts;
+  double beam2 = 0;
+  for (const auto& p : a.points) {
+    if (const auto* m = find_section(a.sections, p.section); !m || !m->section.used) continue;
+    const auto at = of.place_of_ray(p);
+    if (!at.known || at.along > reach || at.along < -fit.cylinder.radius - reach) continue;
+    impacts.push_back(at.impact);
+    beam2 += static_cast<double>(p.beam_sd) * static_cast<double>(p.beam_sd) * (1 - static_cast<double>(p.scattered));
+  }
+  const double edge = edge_softness_m(impacts, fit.cylinder.radius);
+  if (edge <= 0) return std::numeric_limits<double>::quiet_NaN();
+  const double blur = std::sqrt(std::max(0.0, edge * edge - beam2 / static_cast<double>(impacts.size())));
+  return std::min(blur, fit.noise_m);  // poses that scatter do so along the rays as well
 }
 
 std::vector<PassSeen> StemFitter::seen_from(const Attempt& a) const {

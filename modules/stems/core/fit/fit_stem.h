@@ -52,6 +52,8 @@ struct Stem {
   double noise_m = 0;  // scatter of the residuals of the joint fit: of ranges where it is along rays
   double wall_m = 0;   // the same before passes and views are brought together: how thick the map draws the bark,
                        // less what a walk that is too short adds
+  double blur_m = std::numeric_limits<double>::quiet_NaN();  // scatter of the rays across themselves, by how softly the
+                                                             // outline ends, less the beam; NaN where not known
   double girth_m = std::numeric_limits<double>::quiet_NaN();  // of the outline; NaN where not seen all round
   double ovality = std::numeric_limits<double>::quiet_NaN();  // widest less narrowest diameter, by their mean
   double arc_rad = 0;
@@ -92,6 +94,13 @@ struct StemFitResult {
   std::string rejected;  // why, in words, when there is none
 };
 
+// How far places of rays scatter across the rays in a map: the middle of its stems, and by how much stems differ,
+// standard deviation, metres.
+struct BlurPrior {
+  double mean_m = 0, between_m = 0;
+};
+inline constexpr double blur_error_of_stem = 0.13;  // of what one stem says of it, as a share
+
 // What all stems of a project share.
 struct ProjectPriors {
   bool learnt = false;  // from stems; else what is assumed before any was seen
@@ -99,6 +108,7 @@ struct ProjectPriors {
   RangeOffsetPrior range_offset;
   double stretch_doubt = 0;  // standard deviation of the range stretch that is left in the points
   double noise_m = 0;        // scatter of ranges on the bark of most stems; 0: not known
+  BlurPrior blur;            // 0: a sharp map, or not known
 };
 
 bool fits_along_rays(const CloudRays& rays, const MeasureOptions& options);

@@ -69,6 +69,13 @@ void drop_distant(std::vector<Gathered>& points, const NearPoints& near, double 
   std::erase_if(points, [&](const Gathered& g) { return near[g.i].range > max_range; });
 }
 
+// The map does not say which of the places about a ray it came from.
+void blur(BarkPoint& b, double blur_m, double doubt_m) {
+  const double beam = b.beam_sd, total = std::hypot(beam, blur_m);
+  b.beam_doubt = static_cast<float>(std::hypot(beam / total * b.beam_doubt, blur_m / total * doubt_m));
+  b.beam_sd = static_cast<float>(total), b.scattered = static_cast<float>(blur_m * blur_m / (total * total));
+}
+
 // Beams are not quite normal, and makers state their widths at levels of their own.
 constexpr double beam_form_doubt = 0.1;
 
@@ -103,6 +110,7 @@ std::vector<BarkPoint> gather_bark(NearPoints& near, const StemAxes& axes, const
     // Full widths of laser beams are those at 1/e^2: four standard deviations.
     b.beam_sd = static_cast<float>(0.25 * (options.beam_aperture + options.beam_divergence * range));
     b.beam_doubt = static_cast<float>(std::hypot(0.25 * options.beam_doubt * range, beam_form_doubt * b.beam_sd));
+    if (options.blur > 0) blur(b, options.blur, options.blur_doubt);
   }
   return out;
 }

@@ -41,6 +41,8 @@ struct GatherOptions {
   double beam_divergence = 0;  // full angle across the stem, radians
   double beam_doubt = 0;       // standard deviation of that
   double beam_aperture = 0;    // width of the beam at the sensor, metres
+  double blur = 0;             // scatter of the rays across themselves, metres
+  double blur_doubt = 0;       // standard deviation of that
   std::size_t max_points = 40000;
 };
 

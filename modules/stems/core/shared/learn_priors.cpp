@@ -74,7 +74,7 @@ std::vector<StemEvidence> evidence_of(const std::vector<Stem>& fitted, const Mea
     if (tells_range_offset(s)) e.range_offset = s.range_offset;
     if (tells_range_stretch(s)) e.range_stretch = s.range_stretch;
     e.range_offset_expected_m = options.range_offset_sd.value_or(range_offset_of_many_lasers);
-    if (s.along_rays) e.noise_m = s.noise_m;
+    if (s.along_rays) e.noise_m = s.noise_m, e.blur_m = s.blur_m;
   }
   return out;
 }
@@ -85,6 +85,13 @@ std::optional<double> seen_noise_m(const std::vector<Stem>& fitted, const Measur
     if (s.along_rays && !objection(s, options)) noise.push_back(s.noise_m);
   if (noise.empty()) return std::nullopt;
   return upper_median(std::move(noise));
+}
+
+BlurPrior seen_blur(const std::vector<Stem>& fitted, const MeasureOptions& options) {
+  std::vector<double> blurs;
+  for (const auto& s : fitted)
+    if (std::isfinite(s.blur_m) && !objection(s, options)) blurs.push_back(s.blur_m);
+  return mean_blur(std::move(blurs));
 }
 
 RangeStretchPrior learn_range_stretch(const std::vector<Stem>& fitted, const MeasureOptions& options,

@@ -30,6 +30,9 @@ std::vector<StemEvidence> evidence_of(const std::vector<Stem>& fitted, const Mea
 // Scatter of the ranges on the bark, metres: the middle of the stems. Nothing where no fit was along rays.
 std::optional<double> seen_noise_m(const std::vector<Stem>& fitted, const MeasureOptions& options);
 
+// Scatter of the rays across themselves. Zero where stems say that the map is sharp, or say nothing.
+BlurPrior seen_blur(const std::vector<Stem>& fitted, const MeasureOptions& options);
+
 // Whether it was seen all round: rays that come from one side cannot tell a stretch from the place of the stem.
 bool tells_range_stretch(const Stem& stem);
 

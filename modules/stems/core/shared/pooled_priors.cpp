@@ -40,7 +40,7 @@ PooledPriors pool(const std::vector<StemEvidence>& stems, std::optional<double> 
   DriftLikelihoods sum{};
   std::vector<RangeOffsetEvidence> offsets;
   std::vector<RangeStretchEvidence> stretches;
-  std::vector<double> noise, expected;
+  std::vector<double> noise, expected, blurs;
   bool drifts = false;
   for (const auto& s : stems) {
     if (s.drift) {
@@ -50,6 +50,7 @@ PooledPriors pool(const std::vector<StemEvidence>& stems, std::optional<double> 
     if (s.range_offset.sd_m > 0) offsets.push_back(s.range_offset);
     if (s.range_stretch.sd > 0) stretches.push_back(s.range_stretch);
     if (s.noise_m > 0) noise.push_back(s.noise_m);
+    if (std::isfinite(s.blur_m)) blurs.push_back(s.blur_m);
     if (s.range_offset_expected_m > 0) expected.push_back(s.range_offset_expected_m);
   }
   if (drifts) out.drift = mean_drift(sum);
@@ -59,6 +60,7 @@ PooledPriors pool(const std::vector<StemEvidence>& stems, std::optional<double> 
         mean_range_offset(offsets, range_offset_sd_m.value_or(sd_m), out.drift.value_or(DriftPrior{}).view_sd_m);
   if (!stretches.empty()) out.range_stretch = mean_range_stretch(stretches);
   if (!noise.empty()) out.noise_m = upper_median(std::move(noise));
+  out.blur = mean_blur(std::move(blurs));
   return out;
 }
 
@@ -78,6 +80,7 @@ Table evidence_table(const std::vector<StemEvidence>& stems) {
   add("range_stretch_sd", [](const StemEvidence& s) { return s.range_stretch.sd; });
   add("range_stretch_doubt", [](const StemEvidence& s) { return s.range_stretch.doubt; });
   add("noise_m", [](const StemEvidence& s) { return s.noise_m; });
+  add("blur_m", [](const StemEvidence& s) { return s.blur_m; });
   add("range_offset_expected_m", [](const StemEvidence& s) { return s.range_offset_expected_m; });
   for (std::size_t k = 0; k < DriftLikelihoods{}.size(); ++k)
     add(drift_column(k), [k](const StemEvidence& s) { return s.drift ? (*s.drift)[k] : no_number; });
@@ -90,12 +93,16 @@ std::vector<StemEvidence> evidence_in(const Table& table) {
              doubt = numbers_in(table, "range_offset_beam_doubt_m"),
              expected = numbers_in(table, "range_offset_expected_m"), stretch = numbers_in(table, "range_stretch"),
              stretch_sd = numbers_in(table, "range_stretch_sd"),
-             stretch_doubt = numbers_in(table, "range_stretch_doubt");
+             stretch_doubt = numbers_in(table, "range_stretch_doubt"), blur = numbers_in(table, "blur_m");
   std::vector<StemEvidence> out(x.size());
   for (std::size_t i = 0; i < out.size(); ++i)
-    out[i] = {
-        {x[i], y[i]}, std::nullopt, {offset[i], offset_sd[i], doubt[i]}, {stretch[i], stretch_sd[i], stretch_doubt[i]},
-        noise[i],     expected[i]};
+    out[i] = {{x[i], y[i]},
+              std::nullopt,
+              {offset[i], offset_sd[i], doubt[i]},
+              {stretch[i], stretch_sd[i], stretch_doubt[i]},
+              noise[i],
+              blur[i],
+              expected[i]};
   for (std::size_t k = 0; k < DriftLikelihoods{}.size(); ++k) {
     const auto values = numbers_in(table, drift_column(k));
     for (std::size_t i = 0; i < out.size(); ++i) {
@@ -118,6 +125,8 @@ Table priors_table(const PooledPriors& priors, std::size_t stems) {
   add("range_stretch", priors.range_stretch ? priors.range_stretch->mean : no_number);
   add("range_stretch_sd", priors.range_stretch ? priors.range_stretch->sd : no_number);
   add("noise_m", priors.noise_m);
+  add("blur_m", priors.blur.mean_m);
+  add("blur_between_stems_m", priors.blur.between_m);
   return t;
 }
 
@@ -126,11 +135,13 @@ PooledPriors priors_in(const Table& table) {
   const double pass = single(table, "drift_pass_sd_m"), view = single(table, "drift_view_sd_m"),
                offset = single(table, "range_offset_m"), offset_sd = single(table, "range_offset_sd_m"),
                stretch = single(table, "range_stretch"), stretch_sd = single(table, "range_stretch_sd"),
-               noise = single(table, "noise_m");
+               noise = single(table, "noise_m"), blur = single(table, "blur_m"),
+               between = single(table, "blur_between_stems_m");
   if (std::isfinite(pass) && std::isfinite(view)) out.drift = DriftPrior{pass, view};
   if (std::isfinite(offset) && std::isfinite(offset_sd)) out.range_offset = RangeOffsetPrior{offset, offset_sd};
   if (std::isfinite(stretch) && std::isfinite(stretch_sd)) out.range_stretch = RangeStretchPrior{stretch, stretch_sd};
   out.noise_m = std::isfinite(noise) ? noise : 0;
+  if (std::isfinite(blur) && std::isfinite(between)) out.blur = {blur, between};
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/no_number.h"
 #include "cloud/table.h"
 #include "stems/core/shared/project_priors.h"
 
@@ -17,6 +18,7 @@ struct StemEvidence {
   RangeOffsetEvidence range_offset;              // sd 0: nothing
   RangeStretchEvidence range_stretch;            // likewise
   double noise_m = 0;                            // scatter of ranges on the bark; 0: not known
+  double blur_m = no_number;                     // scatter of rays across themselves; NaN: not known
   double range_offset_expected_m = 0;            // standard deviation, of the sensor; 0: not known
 };
 
@@ -26,6 +28,7 @@ struct PooledPriors {
   std::optional<RangeOffsetPrior> range_offset;
   std::optional<RangeStretchPrior> range_stretch;
   double noise_m = 0;  // 0: not known
+  BlurPrior blur;
 };
 
 // `range_offset_sd_m`: MeasureOptions::range_offset_sd; without a value what the stems say is expected of their sensor.

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/statistics.h"
 #include "stems/core/shared/drawn_mean.h"
 
 namespace bole::stems {
@@ -66,6 +67,18 @@ RangeOffsetPrior mean_range_offset(const std::vector<RangeOffsetEvidence>& stems
   const auto mean = bounded_mean(values, between_m, std::hypot(shape_m, by_view * view_sd_m), weak_m);
   const auto drawn = drawn_to_zero(mean, expected_sd_m);
   return {drawn.mean, std::hypot(drawn.sd, min_spread_m)};
+}
+
+BlurPrior mean_blur(std::vector<double> blurs_m) {
+  constexpr double min_blur_m = 0.006;
+  if (blurs_m.empty()) return {};
+  BlurPrior out;
+  out.mean_m = upper_median(blurs_m);
+  if (out.mean_m < min_blur_m) return {};
+  for (auto& b : blurs_m) b = std::abs(b - out.mean_m);
+  const double spread = 1.4826 * upper_median(std::move(blurs_m)), own = blur_error_of_stem * out.mean_m;
+  out.between_m = std::sqrt(std::max(0.0, spread * spread - own * own));
+  return out;
 }
 
 }  // namespace bole::stems

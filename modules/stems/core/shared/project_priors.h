@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/run.h"
-#include "stems/core/fit/cylinder_fit.h"
+#include "stems/core/fit/fit_stem.h"
 
 namespace bole::stems {
 
@@ -28,5 +28,9 @@ DriftPrior mean_drift(const std::vector<const DriftEvidence*>& stems, const Run&
 // with it, for poses lean towards what they see, and with the doubt of the beam.
 RangeOffsetPrior mean_range_offset(const std::vector<RangeOffsetEvidence>& stems, double expected_sd_m,
                                    double view_sd_m);
+
+// The middle of the stems and how far they differ. Zero below 6 mm: a beam is not known better, and so little blur
+// moves no diameter by half a millimetre.
+BlurPrior mean_blur(std::vector<double> blurs_m);
 
 }  // namespace bole::stems
