@@ -217,6 +217,38 @@ class SceneTest : public QObject {
     s.reset_camera();
   }
 
+  // The picture of the points is kept while something else changes, and drawn anew when they do.
+  void a_selection_draws_no_point_again() {
+    auto& s = scene();
+    const auto& points = s.points_renderer();
+    window_->selection().select({});
+    s.reset_camera();
+    settle();
+    const auto without = s.grabFramebuffer();
+    const auto drawn = points.frames_drawn(), taken = points.frames_from_kept();
+    window_->selection().select(5);
+    settle();
+    QTRY_VERIFY(points.frames_from_kept() > taken);
+    QCOMPARE(points.frames_drawn(), drawn);
+    const auto selected = s.grabFramebuffer();
+    QVERIFY(selected != without);
+    s.draw_moving_frame();
+    settle();
+    QTRY_VERIFY(points.frames_drawn() > drawn);
+    QCOMPARE(s.grabFramebuffer(), selected);
+
+    const auto then = points.frames_drawn();
+    trigger("view.larger_points");
+    settle();
+    QTRY_VERIFY(points.frames_drawn() > then);
+    trigger("view.smaller_points");
+    settle();
+    QTRY_VERIFY(s.grabFramebuffer() == selected);
+    window_->selection().select({});
+    settle();
+    QTRY_VERIFY(s.grabFramebuffer() == without);
+  }
+
   void a_drag_of_the_slider_moves_the_layer() {
     auto* slider = window_->findChild<RangeSlider*>("view_heights");
     window_->docks().raise("view");

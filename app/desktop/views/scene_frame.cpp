@@ -24,6 +24,12 @@ void SceneView::redraw() {
 }
 
 void SceneView::begin_motion() {
+  still_eye_.clear();
+  begin_interaction();
+}
+
+// Of the mouse: a click moves nothing.
+void SceneView::begin_interaction() {
   moving_ = true;
   rest_.start(rest_ms);
 }
@@ -60,14 +66,17 @@ void SceneView::before_frame() {
   follow_eye();
   if (point_ratio_ != devicePixelRatioF()) size_points();  // the window went to another screen
   frame_start_ = std::chrono::steady_clock::now();
-  timed_ = moving_;
-  const auto budget = moving_ ? pace_.next() : at_rest;
+  const bool moves = moving_ && last_eye_ != still_eye_;
+  timed_ = moves;
+  const auto budget = moves ? pace_.next() : at_rest;
   // Each cloud has its share of the frame; the survey has what is left.
   const std::size_t layers = 1 + clouds_.drawn_clouds();
   const bool clouds_complete = clouds_.update(budget.points / layers, budget.fresh / layers);
   const auto left = [](std::size_t all, std::size_t taken) { return all - std::min(all, taken); };
   complete_ = layer_.update(renderer_, left(budget.points, clouds_.drawn()), left(budget.fresh, clouds_.fresh())) &&
               clouds_complete;
+  renderer_->keep(!moves && complete_);
+  if (!moves && complete_) still_eye_ = last_eye_;
   map_.suit(2 * half_height_m(renderer_->GetActiveCamera()) / std::max(1, renderWindow()->GetSize()[1]));
   renderer_->ResetCameraClippingRange();
   furniture_.set_shadow({}, 0, 0);
@@ -95,7 +104,7 @@ void SceneView::frame_shown() {
 }
 
 double SceneView::draw_moving_frame() {
-  moving_ = true;
+  begin_motion();
   renderWindow()->Render();
   renderWindow()->WaitForCompletion();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_start_).count();

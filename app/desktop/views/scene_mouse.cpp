@@ -20,11 +20,14 @@ const std::string outline_layer = "outline";
 
 std::optional<SceneView::PointThere> SceneView::point_at(const QPoint& at, bool of_survey_only) {
   if (!survey_.points && clouds().empty()) return {};
-  auto drawn = layer_.drawn_points();
+  const auto view = pick_view();
+  const Eigen::Vector2d px = to_pixels(at);
+  const double reach_px = pick_reach_px * devicePixelRatioF();
+  auto drawn = layer_.drawn_near(view, px, reach_px);
   const std::size_t of_survey = drawn.size();
   std::vector<const SceneCloud*> owners;
-  if (!of_survey_only) clouds_.add_drawn(drawn, owners);
-  const auto point = render::pick_point(pick_view(), drawn, to_pixels(at), pick_reach_px * devicePixelRatioF());
+  if (!of_survey_only) clouds_.add_drawn(view, px, reach_px, drawn, owners);
+  const auto point = render::pick_point(view, drawn, px, reach_px);
   if (!point) return {};
   for (std::size_t k = of_survey; k < drawn.size(); ++k)
     if (drawn[k].cloud == point->cloud) return PointThere{*point, owners[k - of_survey]};
@@ -64,9 +67,10 @@ void SceneView::pick(const QPoint& at) {
     const auto point = picked_ ? render::on_screen(view, picked_->position()) : std::nullopt;
     if (!tree && (!point || stem->depth <= point->depth)) tree = stem->tree_id;
   }
+  const auto before = selection_.tree();
   if (tree && survey_.row_of(*tree)) selection_.select(tree);
   Q_EMIT point_picked(facts_);
-  redraw();
+  if (selection_.tree() == before) redraw();  // another stem has been drawn with the point already
 }
 
 void SceneView::set_place_taker(const QObject* taker, Takes takes) {

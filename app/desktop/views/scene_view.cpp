@@ -37,7 +37,7 @@ SceneView::SceneView(Selection& selection, QWidget* parent)
   setMouseTracking(true);
   style_ = vtkSmartPointer<MapStyle>::New();
   interactor()->SetInteractorStyle(style_);
-  style_->AddObserver(vtkCommand::StartInteractionEvent, this, &SceneView::begin_motion);
+  style_->AddObserver(vtkCommand::StartInteractionEvent, this, &SceneView::begin_interaction);
   renderer_->AddObserver(vtkCommand::StartEvent, this, &SceneView::before_frame);
   renderer_->AddObserver(vtkCommand::EndEvent, this, &SceneView::after_frame);
   clip_handles_ = std::make_unique<ClipHandles>(interactor(), renderer_, [this](const render::ClipBox& box) {

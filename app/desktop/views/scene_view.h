@@ -17,6 +17,7 @@
 
 #include "document/selection.h"
 #include "document/survey.h"
+#include "render/beside/still_points_renderer.h"
 #include "render/draw/screen_look.h"
 #include "render/scene/camera_shapes.h"
 #include "render/scene/furniture_layer.h"
@@ -145,6 +146,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
 
   int actor_count();  // of things that are shown, the cloud as one
   std::size_t drawn_points() const { return layer_.drawn(); }
+  const render::StillPointsRenderer& points_renderer() const { return *renderer_.Get(); }
   bool refined() const { return complete_ && !moving_ && awaited() == 0; }
   // One frame as it is drawn while the camera moves; seconds. For the frame-rate test and benchmark.
   double draw_moving_frame();
@@ -200,6 +202,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void draw_highlight();
   void redraw();
   void begin_motion();
+  void begin_interaction();
   void before_frame();
   void after_frame();
   void frame_shown();
@@ -241,7 +244,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   render::ScreenLook look_;
   render::PointLayer layer_;
   double point_ratio_ = 0;  // pixels of the screen for one of Qt, when the points got their size
-  vtkNew<vtkRenderer> renderer_;
+  vtkNew<render::StillPointsRenderer> renderer_;
   CloudLayers clouds_;                                 // beside the survey
   std::shared_ptr<const render::GroundBelow> ground_;  // of the survey, for their heights; made when it is needed
   vtkSmartPointer<MapStyle> style_;
@@ -253,6 +256,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   MapLayer map_;
   Eigen::Vector3d eye_ = Eigen::Vector3d::Zero();  // where look_along() put the camera
   std::vector<double> last_eye_;                   // of the last frame: place, direction, angle and size
+  std::vector<double> still_eye_;                  // for which all points were drawn; empty: not since they changed
   bool rendering_ = false;                         // a picture lies over the points
   bool photo_by_itself_ = false;                   // nobody asked for the colours of the cloud
   double grid_step_m_ = 0;

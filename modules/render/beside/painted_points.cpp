@@ -73,6 +73,7 @@ vtkSmartPointer<vtkActor> painted_points_actor(const PointCloud& cloud, std::spa
 void let_shine_through(vtkActor& actor, double opacity) {
   auto* shader = actor.GetShaderProperty();
   shader->ClearAllFragmentShaderReplacements();
+  actor.Modified();  // its shader is no part of its time
   if (opacity >= 1) return;
   const int drawn = std::clamp(static_cast<int>(std::lround(16 * opacity)), 1, 15);
   std::string code = see_through;

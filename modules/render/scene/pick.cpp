@@ -29,6 +29,17 @@ std::optional<OnScreen> on_screen(const PickView& view, const Eigen::Vector3d& w
                   clip.z() / clip.w()};
 }
 
+// A box before the eye is seen within the rectangle about its corners.
+bool may_be_near(const PickView& view, const Eigen::AlignedBox3d& box, const Eigen::Vector2d& at_px, double reach_px) {
+  Eigen::AlignedBox2d seen;
+  for (int corner = 0; corner < 8; ++corner) {
+    const auto at = on_screen(view, box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+    if (!at) return true;
+    seen.extend(at->px);
+  }
+  return seen.exteriorDistance(at_px) <= reach_px;
+}
+
 std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> segment_on_screen(const PickView& view,
                                                                              const Eigen::Vector3d& a,
                                                                              const Eigen::Vector3d& b) {

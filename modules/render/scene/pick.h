@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <optional>
 #include <span>
 #include <string>
@@ -43,6 +44,9 @@ std::optional<Eigen::Vector3d> on_line(const PickView& view, const Eigen::Vector
 
 // The place below a pixel at the depth of OnScreen.
 Eigen::Vector3d at_depth(const PickView& view, const Eigen::Vector2d& at_px, double depth);
+
+// Whether a place within the box, world axes, may be seen within `reach_px` of a pixel.
+bool may_be_near(const PickView& view, const Eigen::AlignedBox3d& box, const Eigen::Vector2d& at_px, double reach_px);
 
 // The foremost of `indices` within `reach_px` of a place: of those hardly deeper than the nearest, the one closest to
 // it.

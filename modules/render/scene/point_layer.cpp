@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "render/beside/painted_points.h"
+#include "render/beside/still_points_renderer.h"
 #include "render/scene/view_camera.h"
 
 namespace bole::render {
@@ -104,7 +105,9 @@ PointLayer::Tile PointLayer::make_tile(PointSet all) const {
     });
   }
   if (tile.indices.empty()) return tile;
+  for (const auto i : tile.indices) tile.box.extend(cloud.position(i));
   tile.actor = painted_points_actor(cloud, tile.indices, paint_, origin_, size_px_, opacity_);
+  StillPointsRenderer::mark(*tile.actor);
   clip(tile);
   return tile;
 }
@@ -168,10 +171,11 @@ std::size_t PointLayer::actors() const {
       tiles_, [&](const auto& t) { return t.second.actor && renderer_ && renderer_->HasViewProp(t.second.actor); }));
 }
 
-std::vector<PointSet> PointLayer::drawn_points() const {
+std::vector<PointSet> PointLayer::drawn_near(const PickView& view, const Eigen::Vector2d& at_px,
+                                             double reach_px) const {
   std::vector<PointSet> drawn;
   for (const auto& [i, tile] : tiles_) {
-    if (tile.last_use != frame_ || tile.indices.empty()) continue;
+    if (tile.last_use != frame_ || tile.indices.empty() || !may_be_near(view, tile.box, at_px, reach_px)) continue;
     const auto cloud = nodes_->cloud_of(i);
     if (!cloud) continue;
     if (drawn.empty() || drawn.back().cloud != cloud) drawn.push_back({cloud, {}});

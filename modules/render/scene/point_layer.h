@@ -12,6 +12,7 @@
 #include <unordered_map>
 
 #include "render/beside/ground_below.h"
+#include "render/scene/pick.h"
 #include "render/scene/point_octree.h"
 #include "render/scene/point_paint.h"
 
@@ -55,13 +56,15 @@ class PointLayer {
   std::size_t fresh() const { return fresh_; }      // of them, those that were prepared for it
   std::size_t awaited() const { return awaited_; }  // nodes that the last update wanted and that are not here yet
   std::size_t actors() const;                       // that the renderer holds for it; grows as the picture is refined
-  std::vector<PointSet> drawn_points() const;       // those that are seen
+  // Those that are seen, in nodes that may have some within `reach_px` of a pixel.
+  std::vector<PointSet> drawn_near(const PickView& view, const Eigen::Vector2d& at_px, double reach_px) const;
   const PointPaint& paint() const { return paint_; }
 
  private:
   struct Tile {
     vtkSmartPointer<vtkActor> actor;
     std::vector<std::uint32_t> indices;  // that passed the filter
+    Eigen::AlignedBox3d box;             // around them, world axes
     std::uint64_t last_use = 0;
   };
   void clear();

@@ -22,7 +22,8 @@ using namespace bole::desktop;
 
 void wait_for_views(MainWindow& window, double at_most_s) {
   const auto start = Clock::now();
-  while ((window.runner().running() || !window.runner().survey().stems || !window.scene().refined()) &&
+  while ((window.runner().running() || !window.runner().survey().stems || !window.scene().refined() ||
+          (window.runner().survey().index && !window.runner().survey().index->complete())) &&
          since(start) < at_most_s)
     QApplication::processEvents(QEventLoop::AllEvents, 20);
 }
@@ -82,6 +83,7 @@ int main(int argc, char** argv) {
   std::vector<double> by_click, by_key, by_table;
   window.scene().reset_camera();
   QTest::qWait(1000);
+  wait_for_views(window, longest_run_s);  // all points of it are prepared
   const auto x = stems->numbers("x_m"), y = stems->numbers("y_m"), z = stems->numbers("z_m");
   constexpr double clicked_above_m = 1.3;
   for (std::size_t i = 0; i < count; ++i) {

@@ -172,7 +172,7 @@ class CloudFilesTest : public CloudsWindow {
     QTRY_VERIFY_WITH_TIMEOUT(scene().refined() && drawn(id) > 100'000, 30000);
     std::vector<render::PointSet> seen;
     std::vector<const SceneCloud*> owners;
-    scene().cloud_layers().add_drawn(seen, owners);
+    scene().cloud_layers().add_drawn({}, {0, 0}, everywhere_px, seen, owners);
     for (const auto& set : seen)
       for (std::size_t k = 0; k < set.indices.size(); k += 97) {
         const Eigen::Vector3d q = set.cloud->position(set.indices[k]);

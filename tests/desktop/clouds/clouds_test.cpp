@@ -177,7 +177,7 @@ class CloudsTest : public CloudsWindow {
     QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 20000);
     std::vector<render::PointSet> seen;
     std::vector<const SceneCloud*> owners;
-    scene().cloud_layers().add_drawn(seen, owners);
+    scene().cloud_layers().add_drawn({}, {0, 0}, everywhere_px, seen, owners);
     std::size_t count = 0;
     for (const auto& set : seen)
       for (const auto i : set.indices) {
@@ -199,7 +199,7 @@ class CloudsTest : public CloudsWindow {
     QTRY_VERIFY_WITH_TIMEOUT(scene().refined(), 20000);
     std::vector<render::PointSet> seen;
     std::vector<const SceneCloud*> owners;
-    scene().cloud_layers().add_drawn(seen, owners);
+    scene().cloud_layers().add_drawn({}, {0, 0}, everywhere_px, seen, owners);
     QVERIFY(!seen.empty() && seen.front().indices.size() > 500);
     for (const auto& set : seen)
       for (const auto i : set.indices) {

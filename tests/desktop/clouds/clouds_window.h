@@ -13,6 +13,8 @@ class QDoubleSpinBox;
 
 namespace bole::desktop {
 
+inline constexpr double everywhere_px = 1e9;  // a reach about a pixel that leaves out nothing
+
 int run_clouds_test(int argc, char** argv);
 int run_cloud_files_test(int argc, char** argv);
 int run_cloud_align_test(int argc, char** argv);

@@ -169,6 +169,14 @@ TEST(Pick, TakesTheForemostPoint) {
   EXPECT_EQ(pick_point(pick, cloud, all, {100, 100}, 4), 1u);  // seen from above: z = 5 hides z = 0
   EXPECT_EQ(pick_point(pick, cloud, all, {105, 100}, 3), 2u);
   EXPECT_FALSE(pick_point(pick, cloud, all, {50, 50}, 4));
+
+  // A box is near wherever one of its points may be.
+  Eigen::AlignedBox3d box;
+  for (const auto i : all) box.extend(cloud.position(i));
+  EXPECT_TRUE(may_be_near(pick, box, {100, 100}, 4));
+  EXPECT_TRUE(may_be_near(pick, box, {105, 100}, 3));
+  EXPECT_FALSE(may_be_near(pick, box, {2, 2}, 4));
+  EXPECT_TRUE(may_be_near(pick, box, {2, 2}, 400));
   const auto foot = on_plane(pick, {105, 100}, 5);
   ASSERT_TRUE(foot);
   EXPECT_NEAR((*foot - cloud.position(2)).norm(), 0, 1e-6);

@@ -197,10 +197,11 @@ std::size_t CloudLayers::actors() const {
   return sum;
 }
 
-void CloudLayers::add_drawn(std::vector<render::PointSet>& drawn, std::vector<const SceneCloud*>& owners) const {
+void CloudLayers::add_drawn(const render::PickView& view, const Eigen::Vector2d& at_px, double reach_px,
+                            std::vector<render::PointSet>& drawn, std::vector<const SceneCloud*>& owners) const {
   if (!origin_) return;
   for (std::size_t k = 0; k < clouds_.size(); ++k)
-    for (auto& set : layers_[k]->points.drawn_points()) {
+    for (auto& set : layers_[k]->points.drawn_near(view, at_px, reach_px)) {
       drawn.push_back(std::move(set));
       owners.push_back(&clouds_[k]);
     }

@@ -38,8 +38,9 @@ class CloudLayers : public QObject {
   std::size_t fresh() const;
   std::size_t awaited() const;
   std::size_t actors() const;
-  // Adds what is seen of them, and whose it is.
-  void add_drawn(std::vector<render::PointSet>& drawn, std::vector<const SceneCloud*>& owners) const;
+  // Adds what is seen of them and may lie within `reach_px` of a pixel, and whose it is.
+  void add_drawn(const render::PickView& view, const Eigen::Vector2d& at_px, double reach_px,
+                 std::vector<render::PointSet>& drawn, std::vector<const SceneCloud*>& owners) const;
   std::vector<render::CloudKey> keys() const;
   // Of the first of them whose numbers have colours of their own.
   std::optional<render::PointPaint> legend(const render::PointPaint& of_survey) const;
