@@ -21,10 +21,14 @@ vtkInformationIntegerKey* points_key() {
   return key;
 }
 
-// From the framebuffer that is read to the one that is drawn to, both of one size.
-void copy(const int* size) {
+// From the framebuffer that is read to the one that is drawn to, both of one size. False where the driver refuses, as
+// it may for depths that are stored in two ways.
+bool copy(const int* size) {
   const int all[4] = {0, size[0], 0, size[1]};
+  while (glGetError() != GL_NO_ERROR) {
+  }  // of others
   vtkOpenGLFramebufferObject::Blit(all, all, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  return glGetError() == GL_NO_ERROR;
 }
 
 }  // namespace
@@ -51,7 +55,7 @@ StillPointsRenderer::Key StillPointsRenderer::key_of(const std::vector<vtkProp*>
 // One picture fills one window, whose pixels have one sample.
 bool StillPointsRenderer::can_keep() {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(GetRenderWindow());
-  if (!keeps_ || window == nullptr || window->GetRenderFramebuffer() == nullptr) return false;
+  if (!keeps_ || refused_ || window == nullptr || window->GetRenderFramebuffer() == nullptr) return false;
   const double* view = GetViewport();
   const bool fills = view[0] == 0 && view[1] == 0 && view[2] == 1 && view[3] == 1;
   const int* size = window->GetSize();
@@ -79,13 +83,13 @@ void StillPointsRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* t
     put_back(), ++reused_;
   } else {
     draw(points), ++drawn_;
-    put_aside();
-    kept_ = key_of(points);  // being drawn for the first time changes their times
+    refused_ = !put_aside();
+    kept_ = refused_ ? Key{} : key_of(points);  // being drawn for the first time changes their times
   }
   draw(others);
 }
 
-void StillPointsRenderer::put_aside() {
+bool StillPointsRenderer::put_aside() {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(GetRenderWindow());
   auto* state = window->GetState();
   const int* size = window->GetSize();
@@ -100,8 +104,9 @@ void StillPointsRenderer::put_aside() {
   window->GetRenderFramebuffer()->ActivateReadBuffer(0);
   picture_->Bind(GL_DRAW_FRAMEBUFFER);
   picture_->ActivateDrawBuffer(0);
-  copy(size);
+  const bool copied = copy(size);
   state->PopFramebufferBindings();
+  return copied;
 }
 
 void StillPointsRenderer::put_back() {

@@ -46,10 +46,11 @@ class StillPointsRenderer : public vtkOpenGLRenderer {
   Key key_of(const std::vector<vtkProp*>& points);
   bool can_keep();
   void draw(const std::vector<vtkProp*>& props);
-  void put_aside();
+  bool put_aside();
   void put_back();
 
   bool keeps_ = false;
+  bool refused_ = false;  // by the driver: every frame is drawn whole
   Key kept_;
   vtkNew<vtkOpenGLFramebufferObject> picture_;
   std::size_t drawn_ = 0, reused_ = 0;

@@ -133,6 +133,7 @@ class Survey {
   // is seen too small by fits that do not know of it. True where the stems are to be looked at anew.
   bool learn_blur() {
     if (pooled_ != nullptr) return false;
+    if (passes_disagree()) return std::exchange(blur_, {}).mean_m > 0;
     bool fitted_anew = false;
     for (int look = 0; look < max_looks_at_blur; ++look) {
       const double before_m = blur_.mean_m;
@@ -143,6 +144,15 @@ class Survey {
     }
     if (blur_.mean_m > 0) out_.report.metrics["blur_across_rays"] = {100 * blur_.mean_m, Unit::centimetre};
     return fitted_anew;
+  }
+
+  // Displaced passes soften the edges of stems too, and so does what is left once they were brought together.
+  bool passes_disagree() const {
+    if (moved_m_ > 0) return true;
+    auto priors = priors_before();
+    Report unused;
+    learn_priors(fitted_, options_, moved_m_, priors, unused, run_);
+    return priors.learnt && priors.drift.pass_sd_m >= min_drift_to_align_m;
   }
 
   // Ranges may scatter by more than the sensor is said to: a scale that is capped too low takes the rims of the scatter
