@@ -4691,8 +4691,8 @@
             <translation>请将 tile 设为更大的边长；bole info 显示点云的范围</translation>
         </message>
         <message>
-            <source>room for the records of all tiles, uncompressed</source>
-            <translation>可容纳所有分块记录（未压缩）的空间</translation>
+            <source>room for the tiles, buffers included</source>
+            <translation>可容纳所有分块（含缓冲区）的空间</translation>
         </message>
         <message>
             <source>writing tiles</source>

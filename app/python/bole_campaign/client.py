@@ -159,10 +159,12 @@ class Run:
             interrupts.end()
 
     def _fit_to(self, workers):
-        """Every task gets its threads and no more memory than there is; the largest begin, so that none is last alone."""
+        """Every task gets no more memory than there is, and the threads of those that cannot run beside it; the largest
+        begin, so that none is last alone."""
         for task in self.waiting:
             if self.room:
-                task["threads"] = task.get("threads") or max(1, processors() // workers.workers)
+                beside = min(workers.workers, len(self.waiting), int(self.room.gib // task["memory_gib"]))
+                task["threads"] = task.get("threads") or processors() // max(1, beside) or 1
                 if task["memory_gib"] > self.room.gib:
                     print(f"{task['id']} declares {task['memory_gib']:.1f} GiB, there are {self.room.gib:.1f}: it runs alone, within these", flush=True)
                     task["memory_gib"] = self.room.gib

@@ -18,9 +18,10 @@ from .tiled_document import NUMBERS, PRIORS, RESULTS, TERRAIN
 
 PHASES = ("cut", "ground", "pool", "stems", "label")
 OF_TILES = ("ground", "stems", "label")
-# Peak of a tile: measured in docs/dev/campaigns.md. Declared by its points, buffers included.
+# Peak of a tile, generous: measured in docs/dev/campaigns.md. By its points, buffers included; columns lie in memory up
+# to a size, beyond it on file.
 CUT_GIB, BASE_GIB = 1.2, 0.5
-BYTES_PER_POINT = {"ground": 330.0, "stems": 400.0, "label": 150.0}
+COLUMNS_PER_POINT, MOST_OF_COLUMNS_GIB, OTHERS_PER_POINT = 130.0, 1.5, 60.0
 TERRAIN_MARGIN = 4  # cells read beyond the buffer: slopes and borders need neighbours
 INFO = ("title", "tables", "retries", "cache", "accept_partial", "time_limit_s", "threads", "memory_gib", "files", "tile_m", "buffer_m", "shift_m", "cloud_files", "breast_height", "settings", "setting_files", "edits", "id_of")
 
@@ -86,13 +87,14 @@ class TilePlan(planning.Plan):
         edits, edit_files = tile_edits.settings_of(self, tile)
         return {**self.info["settings"], scan: file, **core, **edits}, {**self.info["setting_files"], scan: [file], **edit_files}
 
-    def _gib(self, phase, tile):
+    def _gib(self, tile):
         given = sum(declared_gib({"memory_gib": None, "files": {name: paths}}, self.info["program"]) - BASE_GIB for name, paths in self.info["setting_files"].items())
-        return BASE_GIB + given + BYTES_PER_POINT[phase] * tile["points"] / GIB
+        points_per_gib = tile["points"] / GIB
+        return BASE_GIB + given + min(COLUMNS_PER_POINT * points_per_gib, MOST_OF_COLUMNS_GIB) + OTHERS_PER_POINT * points_per_gib
 
     def ground_task(self, tile):
         settings, files = self._scan(tile)
-        return self._task("ground", tile, settings, files, self._gib("ground", tile))
+        return self._task("ground", tile, settings, files, self._gib(tile))
 
     def pool_task(self):
         evidence = str(self.joined("evidence.csv"))
@@ -111,12 +113,12 @@ class TilePlan(planning.Plan):
         files[f"{TERRAIN}.file"] = [str(self.done(f"{t['name']}.ground") / "dem.tif") for t in beside]
         priors = str(self.done("pool") / "priors.csv")
         settings[f"{PRIORS}.file"], files[f"{PRIORS}.file"] = priors, [priors]
-        return self._task("stems", tile, settings, files, self._gib("stems", tile))
+        return self._task("stems", tile, settings, files, self._gib(tile))
 
     def label_task(self, tile):
         cloud, numbers = str(self.done(f"{tile['name']}.stems") / "cloud.laz"), str(self.joined(f"numbers_{tile['name']}.csv"))
         settings = {"points.file": cloud, f"{NUMBERS}.file": numbers, "points.unit": "metre", "points.up": "z"}
-        return self._task("label", tile, settings, {"points.file": [cloud], f"{NUMBERS}.file": [numbers]}, self._gib("label", tile))
+        return self._task("label", tile, settings, {"points.file": [cloud], f"{NUMBERS}.file": [numbers]}, self._gib(tile))
 
     # Folders
 

@@ -44,7 +44,7 @@ def make_plot(bole, folder, size_m):
     scale, offset = np.frombuffer(header, "<f8", 3, 131), np.frombuffer(header, "<f8", 3, 155)
     x, y = (raw[:, 4 * k:4 * k + 4].copy().view("<i4")[:, 0] * scale[k] + offset[k] for k in range(2))
     half = size_m / 2
-    write_las(plot, header, [raw[(x >= -half) & (x < half) & (y >= -half) & (y < half)]])
+    write_las(plot, header, raw[(x >= -half) & (x < half) & (y >= -half) & (y < half)])
     return plot
 
 
@@ -76,43 +76,44 @@ def add(raw, place, kind, value):
     raw[:, place:place + kind.itemsize] = (field + np.array(value).astype(kind)).view(np.uint8)
 
 
-def write_las(path, header, blocks):
-    head, count, low, high = bytearray(header), 0, None, None
+def write_las(path, header, raw):
+    head = bytearray(header)
+    steps = raw[:, :12].copy().view("<i4")
+    low, high = steps.min(0), steps.max(0)
+    scale, offset = np.frombuffer(header, "<f8", 3, 131), np.frombuffer(header, "<f8", 3, 155)
+    struct.pack_into("<Q", head, 247, len(raw))
+    for k in range(3):
+        struct.pack_into("<2d", head, 179 + 16 * k, high[k] * scale[k] + offset[k], low[k] * scale[k] + offset[k])
     with open(path, "wb") as file:
         file.write(head)
-        for raw in blocks:
-            file.write(raw.tobytes())
-            count += len(raw)
-            steps = raw[:, :12].copy().view("<i4")
-            low = steps.min(0) if low is None else np.minimum(low, steps.min(0))
-            high = steps.max(0) if high is None else np.maximum(high, steps.max(0))
-        scale, offset = np.frombuffer(header, "<f8", 3, 131), np.frombuffer(header, "<f8", 3, 155)
-        struct.pack_into("<Q", head, 247, count)
-        for k in range(3):
-            struct.pack_into("<2d", head, 179 + 16 * k, high[k] * scale[k] + offset[k], low[k] * scale[k] + offset[k])
-        file.seek(0)
-        file.write(head)
-    return count
+        file.write(raw.tobytes())
 
 
-def make_forest(plot, path, millions, size_m):
-    """Copies of the plot side by side, with their sensor positions."""
+def make_forest(bole, plot, folder, millions, size_m):
+    """Copies of the plot side by side, with their sensor positions: a LAZ file each. (points, copies)"""
     header, raw, sensor = read_las(plot)
     scale = np.frombuffer(header, "<f8", 3, 131)
     copies = max(1, round(millions * 1e6 / len(raw)))
     columns = max(1, round(copies**0.5))
-    rows = -(-copies // columns)
-
-    def block(i):
+    copies = columns * -(-copies // columns)
+    folder.mkdir(exist_ok=True)
+    for i in range(copies):
+        packed = folder / f"{i}.laz"
+        if packed.exists():
+            continue
         out = raw.copy()
         for k, (axis, shift) in enumerate((("x", i % columns * size_m), ("y", i // columns * size_m))):
             add(out, 4 * k, np.dtype("<i4"), round(shift / scale[k]))
             if axis in sensor:
                 place, kind, step = sensor[axis]
                 add(out, place, kind, shift / step)
-        return out
-
-    return write_las(path, header, (block(i) for i in range(columns * rows))), columns * rows
+        plain = folder / f"{i}.las"
+        write_las(plain, header, out)
+        run(bole, "convert", plain, packed)
+        plain.unlink()
+    for left in set(folder.glob("*.laz")) - {folder / f"{i}.laz" for i in range(copies)}:
+        left.unlink()
+    return copies * len(raw), copies
 
 
 def measure(bole, folder, name, cloud, points, copies, options):
@@ -154,9 +155,9 @@ def main():
     plot = make_plot(options.bole, options.work, options.plot_m)
     results = []
     for millions in options.points:
-        cloud = options.work / f"forest_{millions:g}.las"
-        points, copies = make_forest(plot, cloud, millions, options.plot_m)
-        results.append(measure(options.bole, options.work, f"tiles_{millions:g}", cloud, points, copies, options))
+        forest = options.work / f"forest_{millions:g}"
+        points, copies = make_forest(options.bole, plot, forest, millions, options.plot_m)
+        results.append(measure(options.bole, options.work, f"tiles_{millions:g}", forest / "*.laz", points, copies, options))
         print(json.dumps(results[-1], indent=1), flush=True)
     over = [r for r in results if r["peak_mib"] * options.workers > 1024 * options.memory]
     ratio = max(r["cpu_s_per_million"] for r in results) / min(r["cpu_s_per_million"] for r in results)

@@ -17,6 +17,7 @@
 #include "io/core/las/las_facts.h"
 #include "io/core/tiles/record_stream.h"
 #include "io/core/tiles/tile_file.h"
+#include "io/core/tiles/tile_parts.h"
 
 namespace bole::io {
 namespace {
@@ -68,9 +69,9 @@ void align(SourceFile& s, const SourceFile& first) {
 
 struct Tile {
   std::vector<std::uint8_t> waiting;  // records that are not on file yet
+  std::unique_ptr<las::TileParts> parts;
   las::TileStatistics statistics;
   std::uint64_t core_points = 0;
-  bool on_file = false;
 };
 
 class Cutter {
@@ -93,17 +94,13 @@ class Cutter {
   CutCloud cut() {
     for (std::size_t i = 0; i < sources_.size(); ++i) {
       const auto n = static_cast<double>(sources_.size());
-      const Run part = run_.part(0.6 * static_cast<double>(i) / n, 0.6 * static_cast<double>(i + 1) / n);
+      const Run part = run_.part(0.95 * static_cast<double>(i) / n, 0.95 * static_cast<double>(i + 1) / n);
       const auto& s = sources_[i];
       las::for_each_records(s.file->bytes(), s.info, part, out_.report,
                             [&](const std::uint8_t* records, std::size_t count) { deal(s, records, count); });
     }
-    spill();
-    std::erase_if(tiles_, [&](const auto& entry) {
-      const bool empty = entry.second.core_points == 0;
-      if (empty) fs::remove(raw_of(entry.first));
-      return empty;
-    });
+    std::erase_if(tiles_, [](const auto& entry) { return entry.second.core_points == 0; });
+    spill(true);
     if (tiles_.empty()) throw bad_input("the files hold no points", "a cloud");
     write_files();
     describe();
@@ -122,7 +119,6 @@ class Cutter {
   }
 
   const LasInfo& first() const { return sources_.front().info; }
-  fs::path raw_of(const TilePlace& place) const { return folder_ / (tile_name(place) + ".raw"); }
 
   Eigen::Vector3d position(const std::array<std::int32_t, 3>& v) const {
     return first().offset + Eigen::Vector3d(v[0], v[1], v[2]).cwiseProduct(first().scale);
@@ -155,7 +151,9 @@ class Cutter {
       const TilePlace own = grid_.at(p);
       grid_.for_each_over(p, [&](const TilePlace& place) { put(place, place == own, v, records); });
     }
-    if (waiting_bytes_ > max_bytes_in_memory) spill();
+    if (waiting_bytes_ <= max_bytes_in_memory) return;
+    spill(false);
+    if (waiting_bytes_ > max_bytes_in_memory / 2) spill(true);  // very many tiles with less than a chunk each
   }
 
   void put(const TilePlace& place, bool core, const std::array<std::int32_t, 3>& v, const std::uint8_t* record) {
@@ -181,20 +179,18 @@ class Cutter {
     return *recent.second;
   }
 
-  void spill() {
+  // Records that wait go on file: full chunks, or all.
+  void spill(bool all) {
     run_.check_cancel();
-    for (auto& [place, tile] : tiles_) {
-      if (tile.waiting.empty()) continue;
-      std::ofstream raw(raw_of(place), std::ios::binary | (tile.on_file ? std::ios::app : std::ios::trunc));
-      raw.write(reinterpret_cast<const char*>(tile.waiting.data()), static_cast<std::streamsize>(tile.waiting.size()));
-      raw.close();
-      if (!raw)
-        throw failure(fmt::format("'{}' cannot be written: the disk may be full", raw_of(place).string()),
-                      "room for the records of all tiles, uncompressed");
-      tile.on_file = true;
-      tile.waiting = {};
-    }
+    tbb::parallel_for_each(tiles_.begin(), tiles_.end(), [&](auto& entry) {
+      auto& [place, tile] = entry;
+      if (tile.waiting.empty() || run_.cancelled()) return;
+      if (!tile.parts) tile.parts = std::make_unique<las::TileParts>(folder_ / (tile_name(place) + ".parts"), first());
+      tile.parts->take(tile.waiting, all);
+    });
+    run_.check_cancel();
     waiting_bytes_ = 0;
+    for (const auto& [place, tile] : tiles_) waiting_bytes_ += tile.waiting.size();
   }
 
   // The origin that a reader of the whole would take, and its least coordinates as offsets from it.
@@ -227,14 +223,14 @@ class Cutter {
   void write_files() {
     const Facts facts = facts_of_tiles();
     const Bytes source = sources_.front().file->bytes();
-    const auto work = [&](const auto& entry) {
+    const auto work = [&](auto& entry) {
+      auto& [place, tile] = entry;
       if (run_.cancelled()) return;
-      const auto raw = raw_of(entry.first);
       Run quiet;
       quiet.cancel = run_.cancel;
-      las::write_tile_file(folder_ / (tile_name(entry.first) + ".laz"), raw, source, first(), entry.second.statistics,
-                           facts, quiet);
-      fs::remove(raw);
+      las::write_tile_file(folder_ / (tile_name(place) + ".laz"), *tile.parts, source, first(), tile.statistics, facts,
+                           quiet);
+      tile.parts.reset();
     };
     // In batches: progress is told between them, from this thread.
     constexpr std::size_t batch = 16;
@@ -245,7 +241,7 @@ class Cutter {
       tbb::parallel_for_each(it, end, work);
       run_.check_cancel();
       done += static_cast<std::size_t>(std::distance(it, end));
-      run_.report(0.6 + 0.4 * static_cast<double>(done) / static_cast<double>(tiles_.size()), "writing tiles");
+      run_.report(0.95 + 0.05 * static_cast<double>(done) / static_cast<double>(tiles_.size()), "writing tiles");
       it = end;
     }
   }

@@ -13,10 +13,8 @@
 namespace bole::io::las {
 namespace {
 
-constexpr std::uint32_t chunk_points = 50'000;
 constexpr std::uint8_t compressed_bit = 0x80;
-
-bool can_be_packed(int point_format) { return point_format <= 3 || (point_format >= 6 && point_format <= 8); }
+constexpr std::size_t block_bytes = std::size_t{4} << 20;
 
 // Coordinate system and extra bytes as they are, the facts anew.
 VlrList records_for(Bytes source, const LasInfo& info, const Facts& facts) {
@@ -59,8 +57,8 @@ std::vector<std::uint8_t> header_for(Bytes source, const LasInfo& info, const Vl
 
 class TileWriter {
  public:
-  TileWriter(const std::filesystem::path& path, const std::filesystem::path& raw, const LasInfo& info, const Run& run)
-      : out_(path), in_(raw, std::ios::binary), stride_(static_cast<std::size_t>(info.record_length)), run_(run) {}
+  TileWriter(const std::filesystem::path& path, const TileParts& parts, const Run& run)
+      : out_(path), parts_(parts), run_(run) {}
 
   void put(Bytes bytes) {
     out_.stream().write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
@@ -68,18 +66,22 @@ class TileWriter {
   }
 
   void put_plain() {
-    for (Bytes records = next(); !records.empty(); records = next()) put(records);
+    std::ifstream in(parts_.path(), std::ios::binary);
+    std::vector<std::uint8_t> block(block_bytes);
+    for (std::size_t read = block.size(); read == block.size();) {
+      run_.check_cancel();
+      in.read(reinterpret_cast<char*>(block.data()), static_cast<std::streamsize>(block.size()));
+      read = static_cast<std::size_t>(in.gcount());
+      put({block.data(), read});
+    }
   }
 
   void put_packed(const laz::Packing& packing) {
     const std::uint64_t begin = at_;
     put_number(0);  // of the chunk table, once its place is known
-    std::vector<laz::Chunk> chunks;
-    for (Bytes records = next(); !records.empty(); records = next()) {
-      const auto bytes = laz::encode_chunk(packing, records.data(), stride_, records.size() / stride_);
-      chunks.push_back({at_, at_ + bytes.size(), records.size() / stride_});
-      put(bytes);
-    }
+    std::vector<laz::Chunk> chunks = parts_.chunks();
+    for (auto& chunk : chunks) chunk.begin += at_, chunk.end += at_;
+    put_plain();
     const std::uint64_t table_at = at_;
     put(laz::encode_chunk_table(packing, chunks));
     out_.stream().seekp(static_cast<std::streamoff>(begin));
@@ -89,13 +91,6 @@ class TileWriter {
   void commit() { out_.commit(); }
 
  private:
-  // The records of a chunk; none at the end.
-  Bytes next() {
-    run_.check_cancel();
-    records_.resize(chunk_points * stride_);
-    in_.read(reinterpret_cast<char*>(records_.data()), static_cast<std::streamsize>(records_.size()));
-    return {records_.data(), static_cast<std::size_t>(in_.gcount())};
-  }
   void put_number(std::uint64_t number) {
     std::uint8_t bytes[sizeof number];
     store(bytes, number);
@@ -103,11 +98,9 @@ class TileWriter {
   }
 
   AtomicFile out_;
-  std::ifstream in_;
-  std::size_t stride_;
+  const TileParts& parts_;
   const Run& run_;
   std::uint64_t at_ = 0;
-  std::vector<std::uint8_t> records_;
 };
 
 }  // namespace
@@ -123,16 +116,16 @@ void TileStatistics::add(const std::uint8_t* record, bool extended) {
   if (r >= 1 && r <= by_return.size()) ++by_return[r - 1];
 }
 
-void write_tile_file(const std::filesystem::path& path, const std::filesystem::path& raw, Bytes source,
-                     const LasInfo& info, const TileStatistics& statistics, const Facts& facts, const Run& run) {
+void write_tile_file(const std::filesystem::path& path, const TileParts& parts, Bytes source, const LasInfo& info,
+                     const TileStatistics& statistics, const Facts& facts, const Run& run) {
   const bool packed = can_be_packed(info.point_format);
   VlrList vlrs = records_for(source, info, facts);
   laz::Packing packing;
   if (packed) {
-    packing = laz::make_packing(info.point_format, static_cast<std::size_t>(info.record_length), chunk_points);
+    packing = packing_of_parts(info);
     vlrs.add("laszip encoded", 22204, laz::packing_record(packing), "LAZ");
   }
-  TileWriter writer(path, raw, info, run);
+  TileWriter writer(path, parts, run);
   writer.put(header_for(source, info, vlrs, statistics, packed));
   writer.put(vlrs.bytes());
   packed ? writer.put_packed(packing) : writer.put_plain();

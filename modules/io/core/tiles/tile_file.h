@@ -8,6 +8,7 @@
 #include "cloud/facts.h"
 #include "io/core/las/las_columns.h"
 #include "io/core/las/las_info.h"
+#include "io/core/tiles/tile_parts.h"
 
 namespace bole::io::las {
 
@@ -20,10 +21,10 @@ struct TileStatistics {
   void add(const std::uint8_t* record, bool extended);
 };
 
-// Writes the records in the file `raw`, of the layout of the source, as a file of the same version and point format,
-// with its coordinate system and extra bytes, and with `facts`: LAZ, or LAS for the formats that LAZ does not hold. The
-// file appears under its name only when it is whole. Throws Error{failed}, Error{cancelled}.
-void write_tile_file(const std::filesystem::path& path, const std::filesystem::path& raw, Bytes source,
-                     const LasInfo& info, const TileStatistics& statistics, const Facts& facts, const Run& run);
+// Writes the records in `parts`, of the layout of the source, as a file of the same version and point format, with its
+// coordinate system and extra bytes, and with `facts`: LAZ, or LAS for the formats that LAZ does not hold. The file
+// appears under its name only when it is whole. Throws Error{failed}, Error{cancelled}.
+void write_tile_file(const std::filesystem::path& path, const TileParts& parts, Bytes source, const LasInfo& info,
+                     const TileStatistics& statistics, const Facts& facts, const Run& run);
 
 }  // namespace bole::io::las
