@@ -10519,8 +10519,8 @@
             <translation>树干壁</translation>
         </message>
         <message>
-            <source>the points scatter by %1 cm about the bark (median of %2 stems; %3 % above %4 cm): walls are doubled or blurred, and diameters are those of the blur</source>
-            <translation>点在树皮附近的离散为 %1 cm（%2 株的中位数；%3 % 超过 %4 cm）：树干壁重影或模糊，直径是模糊后的直径</translation>
+            <source>the points scatter by %1 cm about the bark (median of %2 stems; %3 % above %4 cm): walls are doubled or blurred. Diameters allow for an even blur, not for doubled walls: look at sections of some stems, and measure these in the field</source>
+            <translation>点在树皮附近的离散为 %1 cm（%2 株的中位数；%3 % 超过 %4 cm）：树干壁重影或模糊。直径已考虑均匀的模糊，但未考虑重影：请查看若干单木的断面，并到实地量测这些单木</translation>
         </message>
         <message>
             <source>passes</source>

@@ -114,7 +114,8 @@ void judge_walls(const CheckedMap& map, CheckFindings& out) {
   if (usual <= limit && part <= part_pct) return;
   out.add(usual > 2 * limit ? Severity::refused : Severity::look, "walls_thick",
           fmt::format("the points scatter by {:.1f} cm about the bark (median of {} stems; {:.0f} % above {:.1f} cm): "
-                      "walls are doubled or blurred, and diameters are those of the blur",
+                      "walls are doubled or blurred. Diameters allow for an even blur, not for doubled walls: look at "
+                      "sections of some stems, and measure these in the field",
                       usual, walls.size(), part, thick * limit),
           worst_of(walls));
 }
