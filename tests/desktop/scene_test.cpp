@@ -249,6 +249,27 @@ class SceneTest : public QObject {
     QTRY_VERIFY(s.grabFramebuffer() == without);
   }
 
+  void a_click_draws_one_frame() {
+    auto& s = scene();
+    window_->selection().select({});
+    s.reset_camera();
+    settle();
+    const auto frames = [&] { return s.points_renderer().frames_drawn() + s.points_renderer().frames_from_kept(); };
+    const auto before = frames();
+    const auto& shapes = s.stem_shapes();
+    const auto stem = std::ranges::find(shapes, 5, &bole::render::StemShape::tree_id);
+    QVERIFY(stem != shapes.end());
+    QTest::mouseClick(&s, Qt::LeftButton, {}, s.place_of(stem->breast_height));
+    QVERIFY(window_->selection().tree());
+    QCOMPARE(frames(), before + 1);  // with the stem, its handles and the point
+    settle();
+    const auto clicked = s.grabFramebuffer();
+    s.draw_moving_frame();
+    settle();
+    QTRY_VERIFY(s.grabFramebuffer() == clicked);
+    window_->selection().select({});
+  }
+
   void a_drag_of_the_slider_moves_the_layer() {
     auto* slider = window_->findChild<RangeSlider*>("view_heights");
     window_->docks().raise("view");

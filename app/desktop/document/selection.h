@@ -18,7 +18,9 @@ class Selection : public QObject {
   void select(std::optional<std::int64_t> tree) {
     if (tree == tree_) return;
     tree_ = tree;
+    Q_EMIT telling();
     Q_EMIT changed();
+    Q_EMIT told();
   }
 
   const std::optional<std::string>& row() const { return row_; }  // of plants
@@ -37,6 +39,8 @@ class Selection : public QObject {
 
  Q_SIGNALS:
   void changed();
+  void telling();  // before and after all hear that it changed: views that many of these change draw once
+  void told();
   void row_changed();
   void view_changed();
 

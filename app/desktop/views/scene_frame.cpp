@@ -2,6 +2,7 @@
 // drawings over it.
 #include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkRenderWindowInteractor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,21 @@ constexpr FramePace::Budget at_rest{4'000'000, 500'000};
 
 // Not before the window is there: VTK would make a context of its own.
 void SceneView::redraw() {
-  if (isValid()) renderWindow()->Render();
+  if (holds_ > 0)
+    frame_wanted_ = true;
+  else if (isValid())
+    renderWindow()->Render();
+}
+
+// VTK draws frames of its own when a button is let go.
+void SceneView::hold_frames() {
+  if (holds_++ == 0) interactor()->EnableRenderOff();
+}
+
+void SceneView::let_frames() {
+  if (--holds_ > 0) return;
+  interactor()->EnableRenderOn();
+  if (std::exchange(frame_wanted_, false)) redraw();
 }
 
 void SceneView::begin_motion() {

@@ -202,9 +202,13 @@ bool SceneView::event(QEvent* event) {
   }
   const bool mouse =
       type == QEvent::MouseButtonPress || type == QEvent::MouseMove || type == QEvent::MouseButtonRelease;
+  // VTK draws a frame when the button is let go. Where a click follows it is one with what the click changes.
+  if (type == QEvent::MouseButtonRelease) click_.emplace(*this);
   // Past VTK's own event(), which would hand the mouse to its interactor.
   // NOLINTNEXTLINE(bugprone-parent-virtual-call)
-  return takes_drag() && mouse ? QOpenGLWidget::event(event) : QVTKOpenGLNativeWidget::event(event);
+  const bool done = takes_drag() && mouse ? QOpenGLWidget::event(event) : QVTKOpenGLNativeWidget::event(event);
+  click_.reset();
+  return done;
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) {
@@ -252,20 +256,22 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
                         static_cast<int>(dragged_->grip), *at, false);
 }
 
+// Frames wait for what is selected only: what else is told of may ask a question, and wait for the answer.
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
+  const bool still = (event->pos() - pressed_at_).manhattanLength() <= click_px;
+  const bool picks = still && event->button() == Qt::LeftButton && place_taker_ == nullptr && !takes_drag();
+  if (!picks) click_.reset();
   if (std::exchange(stroking_, false)) return stroke_ended();
   if (!path_px_.empty()) return event->button() == Qt::LeftButton ? take_outline() : void();
   if (dragged_) {
     const auto grip = *std::exchange(dragged_, std::nullopt);
     const auto at = dragged_to(grip, pick_view(), to_pixels(event->pos()));
-    const bool moved = (event->pos() - pressed_at_).manhattanLength() > click_px;
     drag_keys_ = event->modifiers();
     Q_EMIT grip_dragged(QString::fromStdString(grip.layer), static_cast<int>(grip.drawing), static_cast<int>(grip.grip),
-                        moved && at ? *at : grip.at, true);
+                        !still && at ? *at : grip.at, true);
     return;
   }
   QVTKOpenGLNativeWidget::mouseReleaseEvent(event);
-  const bool still = (event->pos() - pressed_at_).manhattanLength() <= click_px;
   if (still && event->button() == Qt::RightButton) Q_EMIT menu_asked(mapToGlobal(event->pos()));
   if (!still || event->button() != Qt::LeftButton || (!has_survey() && cameras().empty())) return;
   if (std::exchange(double_clicked_, false)) return;

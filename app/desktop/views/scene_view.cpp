@@ -38,6 +38,7 @@ SceneView::SceneView(Selection& selection, QWidget* parent)
   style_ = vtkSmartPointer<MapStyle>::New();
   interactor()->SetInteractorStyle(style_);
   style_->AddObserver(vtkCommand::StartInteractionEvent, this, &SceneView::begin_interaction);
+  interactor()->AddObserver(vtkCommand::RenderEvent, this, &SceneView::note_frame_of_vtk);
   renderer_->AddObserver(vtkCommand::StartEvent, this, &SceneView::before_frame);
   renderer_->AddObserver(vtkCommand::EndEvent, this, &SceneView::after_frame);
   clip_handles_ = std::make_unique<ClipHandles>(interactor(), renderer_, [this](const render::ClipBox& box) {
@@ -64,6 +65,8 @@ SceneView::SceneView(Selection& selection, QWidget* parent)
     draw_highlight();
     redraw();
   });
+  connect(&selection_, &Selection::telling, this, &SceneView::hold_frames);
+  connect(&selection_, &Selection::told, this, &SceneView::let_frames);
   connect(&selection_, &Selection::view_changed, this, [this] {
     draw_cameras();
     redraw();

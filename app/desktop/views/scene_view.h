@@ -13,6 +13,7 @@
 #include <chrono>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "document/selection.h"
@@ -148,6 +149,17 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::size_t drawn_points() const { return layer_.drawn(); }
   const render::StillPointsRenderer& points_renderer() const { return *renderer_.Get(); }
   bool refined() const { return complete_ && !moving_ && awaited() == 0; }
+  // While one lives frames wait; then one shows all that has changed.
+  class Hold {
+   public:
+    explicit Hold(SceneView& view) : view_(view) { view_.hold_frames(); }
+    ~Hold() { view_.let_frames(); }
+    Hold(const Hold&) = delete;
+    Hold& operator=(const Hold&) = delete;
+
+   private:
+    SceneView& view_;
+  };
   // One frame as it is drawn while the camera moves; seconds. For the frame-rate test and benchmark.
   double draw_moving_frame();
   double frame_target_s() const;
@@ -201,6 +213,11 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void rebuild_grid();
   void draw_highlight();
   void redraw();
+  void hold_frames();
+  void note_frame_of_vtk() {
+    frame_wanted_ = frame_wanted_ || holds_ > 0;
+  }  // asked for, and drawn unless they are held
+  void let_frames();
   void begin_motion();
   void begin_interaction();
   void before_frame();
@@ -271,6 +288,9 @@ class SceneView : public QVTKOpenGLNativeWidget {
   QTimer rest_;
   QMetaObject::Connection arrivals_;  // of points from the disk
   bool moving_ = false, complete_ = true, timed_ = false;
+  int holds_ = 0;
+  std::optional<Hold> click_;  // from the release of a button until what was clicked is selected
+  bool frame_wanted_ = false;  // while frames are held
   const QObject* place_taker_ = nullptr;
   Takes takes_ = Takes::places;
   std::vector<Eigen::Vector2d> path_px_;      // of the outline that is being drawn

@@ -99,6 +99,7 @@ class Decisions : public QTreeWidget {
         tree = shape.tree_id;
       }
     if (!tree) return bench_.say(Workbench::tr("No stem stands there any more."));
+    const SceneView::Hold one_frame(scene);
     bench_.selection().select(tree);
     scene.zoom_to_tree(*tree);
   }

@@ -68,6 +68,7 @@ void StemReview::step(int direction) {
 }
 
 void StemReview::show(std::int64_t tree) {
+  const SceneView::Hold one_frame(bench_.scene());
   last_ = tree;
   bench_.scene().zoom_to_tree(tree);  // first: what the selection draws is then a frame of a moving view
   bench_.selection().select(tree);
