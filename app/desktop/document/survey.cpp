@@ -27,6 +27,17 @@ std::shared_ptr<const T> latest(const vtkbridge::RunOutcome& outcome, const Resu
   return read ? nullptr : latest<T>(outcome, results, port, true);
 }
 
+// In the axes of the points: the same terrain may be given in those of the earth too.
+std::shared_ptr<const Raster> terrain_below(const vtkbridge::RunOutcome& outcome, const Results& results, Axes axes) {
+  for (auto stage = outcome.stages.rbegin(); stage != outcome.stages.rend(); ++stage) {
+    const auto found = results.find(stage->record.id);
+    if (found == results.end() || !found->second.has("dem")) continue;
+    const auto* dem = std::get_if<std::shared_ptr<const Raster>>(&found->second.all().find("dem")->second);
+    if (dem != nullptr && (*dem)->axes == axes) return *dem;
+  }
+  return {};
+}
+
 }  // namespace
 
 std::optional<std::size_t> Survey::row_of(std::int64_t tree) const {
@@ -81,6 +92,7 @@ Survey survey_of(const vtkbridge::RunOutcome& outcome, const Results& results, c
   survey.strays = latest<Table>(outcome, results, "strays");
   survey.plot = latest<Table>(outcome, results, "plot");
   survey.walk = latest<Trajectory>(outcome, results, "trajectory");
+  if (survey.points) survey.terrain = terrain_below(outcome, results, survey.points->axes);
   if (survey.points && survey.points == before.points && before.index)
     survey.index = before.index;
   else if (survey.points)

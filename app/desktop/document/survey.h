@@ -23,6 +23,7 @@ struct Survey {
   std::shared_ptr<const Table> rows, plants, lines, strays;  // of plants in rows
   std::shared_ptr<const Table> plot;                         // boundary and counting rule (cloud/plot_area.h)
   std::shared_ptr<const Trajectory> walk;
+  std::shared_ptr<const Raster> terrain;
 
   // Of a plant, pictured from all sides or as a cloud.
   std::shared_ptr<const Trajectory> poses;  // T_world_camera of the views; null where there are none

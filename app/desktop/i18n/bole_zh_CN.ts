@@ -1856,6 +1856,18 @@
             <translation>底图的不透明度;数值越小,背景越明显</translation>
         </message>
         <message>
+            <source>Map on the terrain</source>
+            <translation>底图贴合地形</translation>
+        </message>
+        <message>
+            <source>The map follows hills and hollows. Otherwise it is flat, at the foot of the cloud</source>
+            <translation>底图随地形起伏;否则平放在点云底部</translation>
+        </message>
+        <message>
+            <source>The survey has no terrain model yet.</source>
+            <translation>该调查数据还没有地形模型。</translation>
+        </message>
+        <message>
             <source> %</source>
             <translation> %</translation>
         </message>
@@ -2734,6 +2746,18 @@
         <message>
             <source>The 3-D view shows no cloud beside the survey.</source>
             <translation>三维视图中没有显示调查数据旁的点云。</translation>
+        </message>
+        <message>
+            <source>Map behind the survey</source>
+            <translation>调查数据下方的底图</translation>
+        </message>
+        <message>
+            <source>As the 3-D view shows it: flat or on the terrain, and its opacity</source>
+            <translation>与三维视图所示相同:平放或贴合地形,以及不透明度</translation>
+        </message>
+        <message>
+            <source>The 3-D view shows no map behind the survey.</source>
+            <translation>三维视图中没有显示底图。</translation>
         </message>
         <message>
             <source>With %1</source>

@@ -149,7 +149,10 @@ void SceneView::set_map(std::shared_ptr<const SceneMap> map) {
   Q_EMIT settings_changed();
 }
 
-void SceneView::draw_map() { map_.draw(origin_, whole_.lo.z(), settings_.map && has_survey(), settings_.map_opacity); }
+void SceneView::draw_map() {
+  if (!settings_.map || !has_survey()) return map_.hide();
+  map_.draw(origin_, whole_.lo.z(), settings_.map_on_terrain ? survey_.terrain.get() : nullptr, settings_.map_opacity);
+}
 
 Eigen::Vector2d SceneView::north() const { return map() ? map()->north : Eigen::Vector2d::UnitY(); }
 

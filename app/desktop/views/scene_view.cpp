@@ -165,7 +165,9 @@ void SceneView::set_settings(const ViewSettings& settings) {
   dress_clouds();
   if (clip_handles_->shown()) show_clip_handles(settings_.clip.has_value());
   if (before.grid != settings_.grid) rebuild_grid();
-  if (before.map != settings_.map || before.map_opacity != settings_.map_opacity) draw_map();
+  if (before.map != settings_.map || before.map_opacity != settings_.map_opacity ||
+      before.map_on_terrain != settings_.map_on_terrain)
+    draw_map();
   redraw();
 }
 

@@ -131,6 +131,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   // A picture of the place below the survey; null: none. Shown as the settings have it.
   void set_map(std::shared_ptr<const SceneMap> map);
   const std::shared_ptr<const SceneMap>& map() const { return map_.map(); }
+  const std::optional<render::PlacedPicture>& map_shown() const { return map_.shown(); }
   Eigen::Vector2d north() const;  // unit, world x and y: that of the map, else the y axis
 
   std::optional<SceneEye> eye();  // none of a parallel view

@@ -21,6 +21,7 @@ struct ViewSettings {
   bool trees = true;  // their numbers, with symbols for quality and decisions
   bool map = true;    // behind the survey, where there is one
   double map_opacity = 1;
+  bool map_on_terrain = false;  // else flat, at the foot of the survey
 };
 
 }  // namespace bole::desktop

@@ -13,7 +13,6 @@
 #include <vtkShaderProperty.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace bole::render {
@@ -31,38 +30,7 @@ void hold(vtkImageData* image, const Shared& picture) {
   image->AddObserver(vtkCommand::DeleteEvent, release);
 }
 
-std::array<std::uint8_t, channels> mean_of(const GroundPicture& picture, int column, int row, int step) {
-  const int columns = std::min(step, picture.width - column), rows = std::min(step, picture.height - row);
-  std::array<std::uint32_t, channels> sums{};  // colours times alpha
-  for (int y = row; y < row + rows; ++y) {
-    const auto* pixel =
-        picture.rgba.data() + channels * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-                                          static_cast<std::size_t>(column));
-    for (int x = 0; x < columns; ++x, pixel += channels) {
-      for (std::size_t c = 0; c < 3; ++c) sums[c] += static_cast<std::uint32_t>(pixel[c]) * pixel[3];
-      sums[3] += pixel[3];
-    }
-  }
-  std::array<std::uint8_t, channels> mean{};
-  if (sums[3] == 0) return mean;
-  for (std::size_t c = 0; c < 3; ++c) mean[c] = static_cast<std::uint8_t>((sums[c] + sums[3] / 2) / sums[3]);
-  mean[3] = static_cast<std::uint8_t>(sums[3] / static_cast<std::uint32_t>(columns * rows));
-  return mean;
-}
-
 }  // namespace
-
-GroundPicture coarser(const GroundPicture& picture, int step) {
-  GroundPicture out;
-  out.width = (picture.width + step - 1) / step;
-  out.height = (picture.height + step - 1) / step;
-  out.rgba.reserve(static_cast<std::size_t>(channels) * static_cast<std::size_t>(out.width) *
-                   static_cast<std::size_t>(out.height));
-  for (int y = 0; y < out.height; ++y)
-    for (int x = 0; x < out.width; ++x)
-      for (const auto value : mean_of(picture, x * step, y * step, step)) out.rgba.push_back(value);
-  return out;
-}
 
 vtkSmartPointer<vtkTexture> ground_texture(const Shared& picture, bool smaller_too) {
   vtkNew<vtkUnsignedCharArray> pixels;
@@ -81,20 +49,27 @@ vtkSmartPointer<vtkTexture> ground_texture(const Shared& picture, bool smaller_t
   return texture;
 }
 
-vtkSmartPointer<vtkActor> ground_actor(vtkTexture* texture, const std::array<Eigen::Vector3d, 4>& corners,
+vtkSmartPointer<vtkActor> ground_actor(vtkTexture* texture, const GroundPlaces& places, const Eigen::Vector3d& origin,
                                        double opacity) {
   vtkNew<vtkPoints> points;
-  for (const auto& corner : corners) points->InsertNextPoint(corner.data());
-  vtkNew<vtkFloatArray> places;
-  places->SetNumberOfComponents(2);
-  for (const auto& [u, v] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) places->InsertNextTuple2(u, v);
-  const std::array<vtkIdType, 4> quad{0, 1, 2, 3};
+  for (const auto& place : places.at) points->InsertNextPoint(Eigen::Vector3d(place - origin).data());
+  vtkNew<vtkFloatArray> in_picture;
+  in_picture->SetNumberOfComponents(2);
+  for (int row = 0; row < places.rows; ++row)
+    for (int column = 0; column < places.columns; ++column)
+      in_picture->InsertNextTuple2(static_cast<double>(column) / (places.columns - 1),
+                                   static_cast<double>(row) / (places.rows - 1));
   vtkNew<vtkCellArray> cells;
-  cells->InsertNextCell(4, quad.data());
+  for (int row = 0; row + 1 < places.rows; ++row)
+    for (int column = 0; column + 1 < places.columns; ++column) {
+      const vtkIdType at = vtkIdType{row} * places.columns + column;
+      const std::array<vtkIdType, 4> quad{at, at + 1, at + places.columns + 1, at + places.columns};
+      cells->InsertNextCell(4, quad.data());
+    }
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
   data->SetPolys(cells);
-  data->GetPointData()->SetTCoords(places);
+  data->GetPointData()->SetTCoords(in_picture);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(data);
   mapper->ScalarVisibilityOff();
@@ -105,6 +80,7 @@ vtkSmartPointer<vtkActor> ground_actor(vtkTexture* texture, const std::array<Eig
   actor->GetProperty()->SetColor(1, 1, 1);
   actor->GetProperty()->SetOpacity(opacity);
   actor->PickableOff();
+  if (!places.behind_all) return actor;
   // As far away as can be: only the background is behind it, whatever was drawn before or is drawn later. So it can be
   // mixed with that at once; the pass for what is translucent gives nothing to what is so far away.
   actor->ForceOpaqueOn();

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "render/beside/ground_picture.h"
 #include "render/beside/painted_points.h"
 #include "render/draw/color.h"
 #include "render/draw/shrink.h"
@@ -32,8 +33,7 @@ struct FlightScene::Parts {
   vtkNew<vtkRenderWindow> window;
 };
 
-FlightScene::FlightScene(const MapData& data, const std::vector<BesideCloud>& beside, const FlightLook& look,
-                         const Run& run)
+FlightScene::FlightScene(const MapData& data, const Surroundings& about, const FlightLook& look, const Run& run)
     : parts_(std::make_unique<Parts>()) {
   if (data.points == nullptr || data.points->empty())
     throw bad_input("there are no points to fly through", "a point cloud");
@@ -46,7 +46,11 @@ FlightScene::FlightScene(const MapData& data, const std::vector<BesideCloud>& be
   const double scale = samples * look.height_px / usual_height_px;
   p.renderer->AddActor(points_actor(*data.points, drawn, coloring_for(*data.points, drawn, look.color), p.origin,
                                     std::max(1.0, look.point_px * scale)));
-  add(beside, scale, run);
+  add(about.clouds, scale, run);
+  if (about.ground) {
+    const auto& [picture, places, opacity] = *about.ground;
+    p.renderer->AddActor(ground_actor(ground_texture(picture, true), places, p.origin, opacity));
+  }
   if (look.stems && data.stems != nullptr && data.stems->rows() > 0) {
     const auto shapes = stem_shapes(*data.stems, data.sections);
     p.renderer->AddActor(stems_actor(shapes, p.origin, true));

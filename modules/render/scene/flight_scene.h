@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/run.h"
-#include "render/beside/beside_cloud.h"
+#include "render/beside/surroundings.h"
 #include "render/draw/canvas.h"
 #include "render/scene/map_figure.h"
 #include "render/scene/view_point.h"
@@ -25,9 +25,9 @@ struct FlightLook {
 
 class FlightScene {
  public:
-  // Of `data`: points, stems, sections, trajectory; and clouds beside them, in the same axes. Draws with the backend in
-  // use (offscreen.h), in the thread that made it. Throws Error{bad_input} without points, Error{cancelled}.
-  FlightScene(const MapData& data, const std::vector<BesideCloud>& beside, const FlightLook& look, const Run& run);
+  // Of `data`: points, stems, sections, trajectory; and what is about them. Draws with the backend in use
+  // (offscreen.h), in the thread that made it. Throws Error{bad_input} without points, Error{cancelled}.
+  FlightScene(const MapData& data, const Surroundings& about, const FlightLook& look, const Run& run);
   ~FlightScene();
   FlightScene(const FlightScene&) = delete;
   FlightScene& operator=(const FlightScene&) = delete;

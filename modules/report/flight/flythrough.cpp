@@ -82,13 +82,13 @@ pipeline::StageResult run_flythrough(const DataSet& inputs, const FlythroughOpti
   if (inputs.has("sections")) data.sections = &inputs.table("sections");
   if (inputs.has("trajectory")) data.trajectory = &inputs.trajectory("trajectory");
   pipeline::StageResult result;
-  std::vector<render::BesideCloud> beside;
+  render::Surroundings about;
   if (inputs.has("beside")) {
     check_near(*data.points, inputs.cloud("beside"));
-    beside.push_back(beside_cloud(inputs.cloud("beside"), o));
+    about.clouds.push_back(beside_cloud(inputs.cloud("beside"), o));
   }
   result.report =
-      write_flythrough(data, flight_of(o, data.trajectory, stops_in(o.views)), o, run.output_dir, run, beside);
+      write_flythrough(data, flight_of(o, data.trajectory, stops_in(o.views)), o, run.output_dir, run, about);
   return result;
 }
 
@@ -171,7 +171,7 @@ std::vector<render::ViewPoint> flight_of(const FlythroughOptions& options, const
 
 Report write_flythrough(const render::MapData& data, const std::vector<render::ViewPoint>& flight,
                         const FlythroughOptions& options, const fs::path& folder, const Run& run,
-                        const std::vector<render::BesideCloud>& beside) {
+                        const render::Surroundings& about) {
   Report report;
   render::FlightLook look;
   look.width_px = options.width;
@@ -183,7 +183,7 @@ Report write_flythrough(const render::MapData& data, const std::vector<render::V
   look.point_px = options.point_size;
   render::use_backend(render::Backend::automatic);
   run.report(0, "points");
-  render::FlightScene scene(data, beside, look, run);
+  render::FlightScene scene(data, about, look, run);
   const fs::path frames = folder / frame_folder;
   clear_frames(frames);
   for (std::size_t k = 0; k < flight.size(); ++k) {

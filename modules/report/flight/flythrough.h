@@ -42,11 +42,11 @@ std::vector<render::ViewPoint> flight_of(const FlythroughOptions& options, const
                                          const std::vector<render::ViewPoint>& stops);
 
 // Writes flythrough/frame_00001.png, ... into `folder`, and flythrough.mp4 where ffmpeg is found in PATH; what is
-// missing for the video is said in the report. `beside`: other clouds in the axes of the survey. Throws
+// missing for the video is said in the report. `about`: other clouds, and a map. Throws
 // Error{bad_input}, Error{failed}, Error{cancelled}; frames that were drawn until then stay.
 Report write_flythrough(const render::MapData& data, const std::vector<render::ViewPoint>& flight,
                         const FlythroughOptions& options, const std::filesystem::path& folder, const Run& run,
-                        const std::vector<render::BesideCloud>& beside = {});
+                        const render::Surroundings& about = {});
 
 // A cloud beside the survey as the options colour it: by a column, or all alike ("#rrggbb"). Throws Error{bad_input}
 // that lists the columns.

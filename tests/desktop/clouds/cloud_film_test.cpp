@@ -123,7 +123,7 @@ class CloudFilmTest : public CloudsWindow {
     options.width = 320;
     options.height = 180;
     options.video = false;
-    FlythroughDialog dialog(scene().survey(), {first, second}, options, window_.get(), clouds_in_film(scene()));
+    FlythroughDialog dialog(scene().survey(), {first, second}, options, window_.get(), scenery_of(scene()));
     auto* box = dialog.findChild<QCheckBox*>("flythrough_clouds");
     if (box->isEnabled()) box->setChecked(with_clouds);
     QSignalSpy made(&dialog, &FlythroughDialog::made);

@@ -16,6 +16,7 @@
 #include <optional>
 
 #include "base/angles.h"
+#include "features/flythrough/flythrough.h"
 #include "features/map_behind/map_behind.h"
 #include "features/map_behind/map_file.h"
 #include "geo/core/projected_crs.h"
@@ -212,6 +213,60 @@ class MapBehindTest : public QObject {
     window_->save(at("copy.json"));
     QVERIFY(content(at("copy.map.json")).contains("ortho.tif"));
     window_->save(at("placed.json"));
+  }
+
+  void over_the_terrain_it_is_as_high_as_that() {
+    auto* over = window_->findChild<QCheckBox*>("view_on_terrain");
+    QVERIFY(over->isEnabled() && !over->isChecked());
+    QVERIFY(scene().map_shown()->places.behind_all);
+    over->setChecked(true);
+    window_->commands().trigger("view.map");
+    expect_quarters(look());
+    keep_picture(look(), "map_on_terrain");
+    window_->commands().trigger("view.map");
+    const auto& places = scene().map_shown()->places;
+    QVERIFY(!places.behind_all && places.columns > 10);
+    for (const auto& p : places.at) QVERIFY(std::abs(p.z() - 0.01) < 0.08);  // flat ground, and a little below it
+    QVERIFY(content(at("placed.map.json")).contains("\"on_terrain\": true"));
+    open_window("placed.json");
+    QTRY_VERIFY_WITH_TIMEOUT(scene().map() != nullptr, 20000);
+    over = window_->findChild<QCheckBox*>("view_on_terrain");
+    QVERIFY(over->isChecked() && !scene().map_shown()->places.behind_all);
+    over->setChecked(false);
+    QVERIFY(scene().map_shown()->places.behind_all);
+    window_->commands().trigger("map.show");
+    QVERIFY(!scene().map_shown() && !over->isEnabled());
+    window_->commands().trigger("map.show");
+  }
+
+  void a_film_has_it_where_it_is_wished() {
+    scene().look_along({0, 0.3, -1}, Eigen::Vector3d::UnitY());
+    const auto first = scene().view_point();
+    auto second = first;
+    second.eye.x() += 0.5;
+    report::FlythroughOptions options;
+    options.seconds = 0.6;
+    options.frame_rate = 5;
+    options.width = 320;
+    options.height = 180;
+    options.video = false;
+    FlythroughDialog dialog(scene().survey(), {first, second}, options, window_.get(), scenery_of(scene()));
+    auto* box = dialog.findChild<QCheckBox*>("flythrough_map");
+    QVERIFY(box->isEnabled() && box->isChecked());
+    for (const bool with : {true, false}) {
+      box->setChecked(with);
+      dialog.start(at(with ? "with_map" : "without_map"));
+      for (int wait = 0; wait < 6000 && dialog.busy(); ++wait) QTest::qWait(10);
+      const QImage frame(at(with ? "with_map" : "without_map") + "/flythrough/frame_00001.png");
+      QCOMPARE(frame.width(), 320);
+      for (const auto& color : quarters) {
+        int seen = 0;
+        for (int x = 0; x < frame.width(); ++x)
+          for (int y = 0; y < frame.height(); ++y) seen += alike(frame.pixelColor(x, y), color, 20);
+        QVERIFY2(with ? seen > 1000 : seen < 100, qPrintable(QString("%1 %2").arg(with).arg(seen)));
+      }
+      if (with) keep_picture(frame, "map_film");
+    }
   }
 
   void another_system_and_none() {

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <random>
 
+#include "render/beside/draped_ground.h"
 #include "render/beside/ground_below.h"
 #include "render/beside/placed_cloud.h"
 #include "render/charts/stem_profile.h"
@@ -24,6 +25,38 @@ PointCloud strewn(std::size_t points, const Eigen::Vector3d& origin) {
   cloud.scale = Eigen::Vector3d::Constant(0.001);
   cloud.set_column(arrays::intensity, std::vector<float>(points, 7));
   return cloud;
+}
+
+TEST(DrapedGround, FollowsTheTerrainAndGoesOnBesideIt) {
+  Raster slope;
+  slope.origin = {0, 0};
+  slope.nx = slope.ny = 40;
+  slope.cell_m = 0.5;
+  for (int iy = 0; iy < 40; ++iy)
+    for (int ix = 0; ix < 40; ++ix) slope.values.push_back(0.25F * (static_cast<float>(ix) + 0.5F) * 0.5F);
+  slope.at(20, 20) = NAN;
+  // Turned against the grid, and reaching 5 m beyond it.
+  const GroundCorners corners{Eigen::Vector2d(-5, 25), {25, 25}, {25, -5}, {-5, -5}};
+  const auto places = draped_ground(corners, slope, 7);
+  ASSERT_EQ(places.at.size(), static_cast<std::size_t>(places.columns) * static_cast<std::size_t>(places.rows));
+  EXPECT_EQ(places.columns, 61);  // of the cells of the terrain
+  EXPECT_FALSE(places.behind_all);
+  EXPECT_EQ(places.at.front().head<2>(), corners[0]);
+  EXPECT_EQ(places.at.back().head<2>(), corners[2]);
+  for (const auto& p : places.at) {
+    const double within = std::clamp(p.x(), 0.25, 19.75);
+    // A hole takes the height of its neighbours, which differ by 0.25 m; beyond the border nothing rises.
+    EXPECT_NEAR(p.z(), 0.25 * within - 0.05, 0.2) << p.transpose();
+  }
+  Raster empty = slope;
+  std::ranges::fill(empty.values, NAN);
+  const auto flat = draped_ground(corners, empty, 7);
+  EXPECT_TRUE(flat.behind_all);
+  EXPECT_EQ(flat.at.size(), 4U);
+  EXPECT_EQ(flat.at[2], Eigen::Vector3d(-5, -5, 7));
+  // A picture of a wide place has no more places than can be drawn.
+  const GroundCorners wide{Eigen::Vector2d(-900, 500), {900, 500}, {900, -500}, {-900, -500}};
+  EXPECT_LE(draped_ground(wide, slope, 0).columns, 193);
 }
 
 TEST(PlacedCloud, ShiftsExactlyAndSharesItsPoints) {

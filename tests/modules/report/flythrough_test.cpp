@@ -10,10 +10,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <sstream>
 
 #include "base/error.h"
+#include "render/beside/draped_ground.h"
 #include "render/offscreen/offscreen.h"
 #include "report/flight/flythrough.h"
 #include "report/flight/video.h"
@@ -110,6 +112,31 @@ TEST_F(Flythrough, MakesTheSameFramesOfTheSameInputs) {
   EXPECT_FALSE(fs::exists(folder_ / "a/flythrough.mp4"));
 }
 
+TEST_F(Flythrough, AMapLiesBelowTheSurvey) {
+  auto red = std::make_shared<render::GroundPicture>();
+  red->width = red->height = 8;
+  for (int i = 0; i < 64; ++i) red->rgba.insert(red->rgba.end(), {255, 0, 0, 255});
+  const render::GroundCorners corners{Eigen::Vector2d(-10, 20), {20, 20}, {20, -10}, {-10, -10}};
+  render::MapData data;
+  data.points = &cloud_, data.trajectory = &walk_;
+  Raster hill;
+  hill.origin = {0, 0}, hill.nx = hill.ny = 10;
+  hill.values.assign(100, 0.0F);
+  for (const int iy : {6, 7}) hill.at(1, iy) = 12;  // higher than the eye, which walks there
+  std::map<std::string, int> red_pixels;
+  for (const auto& [name, places] : {std::pair{"flat", render::flat_ground(corners, 0)},
+                                     std::pair{"draped", render::draped_ground(corners, hill, 0)}}) {
+    write_flythrough(data, flight_of(options_, &walk_, {}), options_, folder_ / name, {},
+                     {{}, render::PlacedPicture{red, places, 1}});
+    red_pixels[name] = pixels_like(folder_ / name / "flythrough/frame_00001.png", 0);
+  }
+  make(folder_ / "none");
+  EXPECT_EQ(pixels_like(folder_ / "none/flythrough/frame_00001.png", 0), 0);
+  EXPECT_GT(red_pixels["flat"], 500);
+  EXPECT_GT(red_pixels["draped"], 500);
+  EXPECT_GT(red_pixels["draped"], red_pixels["flat"] + 300);
+}
+
 TEST_F(Flythrough, ACloudBesideTheSurveyIsInItsColour) {
   make(folder_ / "a");
   PointCloud::Positions wall;
@@ -122,7 +149,7 @@ TEST_F(Flythrough, ACloudBesideTheSurveyIsInItsColour) {
   for (const char* color : {"#ff0000", "#0000ff", "z"}) {
     options_.beside_color = color;
     write_flythrough(data, flight_of(options_, &walk_, {}), options_, folder_ / color, {},
-                     {beside_cloud(other, options_)});
+                     {{beside_cloud(other, options_)}, {}});
     films.push_back(bytes_of(folder_ / color / "flythrough/frame_00001.png"));
     EXPECT_NE(films.back(), bytes_of(folder_ / "a/flythrough/frame_00001.png")) << color;
   }

@@ -44,25 +44,18 @@ std::vector<render::ViewPoint> bookmarks_beside(const QString& document) {
   return stops;
 }
 
-std::vector<render::BesideCloud> beside_of(const FilmClouds& clouds) {
-  std::vector<render::BesideCloud> beside;
-  for (const auto& cloud : clouds.list)
-    beside.push_back({cloud.points, paint_of(cloud, clouds.of_survey), cloud.point_px, cloud.opacity});
-  return beside;
-}
-
 bool has_walk(const Survey& survey) { return survey.walk && survey.walk->poses.size() > 1; }
 
 }  // namespace
 
-FilmClouds clouds_in_film(const SceneView& scene) { return {scene.clouds(), scene.paint()}; }
+FilmScenery scenery_of(const SceneView& scene) { return {scene.clouds(), scene.paint(), scene.map_shown()}; }
 
 FlythroughDialog::FlythroughDialog(const Survey& survey, std::vector<render::ViewPoint> stops,
-                                   report::FlythroughOptions options, QWidget* parent, FilmClouds clouds)
+                                   report::FlythroughOptions options, QWidget* parent, FilmScenery scenery)
     : QDialog(parent),
       survey_(survey),
       stops_(std::move(stops)),
-      clouds_(std::move(clouds)),
+      scenery_(std::move(scenery)),
       options_(std::move(options)) {
   setWindowTitle(tr("Flythrough"));
   setObjectName("flythrough_dialog");
@@ -95,10 +88,16 @@ void FlythroughDialog::make_form() {
   stems_->setEnabled(survey_.stems != nullptr);
   beside_ = new QCheckBox(tr("Clouds beside the survey"));
   beside_->setObjectName("flythrough_clouds");
-  beside_->setEnabled(!clouds_.list.empty());
+  beside_->setEnabled(!scenery_.clouds.empty());
   beside_->setChecked(beside_->isEnabled());
   beside_->setToolTip(beside_->isEnabled() ? tr("As the 3-D view shows them: place, colours, opacity, size of points")
                                            : tr("The 3-D view shows no cloud beside the survey."));
+  map_ = new QCheckBox(tr("Map behind the survey"));
+  map_->setObjectName("flythrough_map");
+  map_->setEnabled(scenery_.map.has_value());
+  map_->setChecked(map_->isEnabled());
+  map_->setToolTip(map_->isEnabled() ? tr("As the 3-D view shows it: flat or on the terrain, and its opacity")
+                                     : tr("The 3-D view shows no map behind the survey."));
   video_ = new QCheckBox(tr("Video (MP4)"));
   const bool has_ffmpeg = !report::program_in_path("ffmpeg").empty();
   video_->setEnabled(has_ffmpeg);
@@ -118,6 +117,7 @@ void FlythroughDialog::make_form() {
   form->addRow(tr("Size of a frame"), size_);
   form->addRow(stems_);
   form->addRow(beside_);
+  form->addRow(map_);
   form->addRow(video_);
   auto* buttons = new QDialogButtonBox;
   start_ = buttons->addButton(tr("Make the film…"), QDialogButtonBox::ActionRole);
@@ -179,11 +179,20 @@ void FlythroughDialog::show_what_it_makes() {
                                    : missing);
 }
 
+render::Surroundings FlythroughDialog::surroundings() const {
+  render::Surroundings about;
+  if (beside_->isChecked())
+    for (const auto& cloud : scenery_.clouds)
+      about.clouds.push_back({cloud.points, paint_of(cloud, scenery_.of_survey), cloud.point_px, cloud.opacity});
+  if (map_->isChecked()) about.ground = scenery_.map;
+  return about;
+}
+
 QString FlythroughDialog::words_of_clouds() const {
   QStringList names;
   bool coarse = survey_.index && survey_.index->disk();
   if (beside_->isChecked())
-    for (const auto& cloud : clouds_.list) {
+    for (const auto& cloud : scenery_.clouds) {
       names << cloud.name;
       coarse = coarse || cloud.disk();
     }
@@ -201,39 +210,38 @@ void FlythroughDialog::start(const QString& folder) {
   cancel_->setText(tr("Cancel"));
   progress_->setValue(0);
   progress_->setVisible(true);
-  worker_ =
-      std::jthread([this, folder, wanted = options(), survey = survey_, stops = stops_,
-                    beside = beside_of(beside_->isChecked() ? clouds_ : FilmClouds())](const std::stop_token& stop) {
-        Run run;
-        run.cancel = stop;
-        run.progress = [this, last = -1](double fraction, std::string_view what) mutable {
-          const int step = static_cast<int>(fraction * film_steps);
-          if (step == last) return;
-          last = step;
-          QMetaObject::invokeMethod(
-              this,
-              [this, step, text = QString::fromUtf8(what.data(), static_cast<int>(what.size()))] {
-                progress_->setValue(step);
-                progress_->setToolTip(text);
-              },
-              Qt::QueuedConnection);
-        };
-        QString said, why;
-        try {
-          render::MapData data;
-          data.points = survey.points.get();
-          data.stems = survey.stems.get();
-          data.sections = survey.sections.get();
-          data.trajectory = survey.walk.get();
-          const auto flight = report::flight_of(wanted, survey.walk.get(), stops);
-          const auto report = report::write_flythrough(data, flight, wanted, folder.toStdString(), run, beside);
-          said = QString::fromStdString(report.message);
-        } catch (const std::exception& e) {
-          why = QString::fromUtf8(e.what());
-        }
-        QMetaObject::invokeMethod(
-            this, [this, said, why] { end(said, why); }, Qt::QueuedConnection);
-      });
+  worker_ = std::jthread([this, folder, wanted = options(), survey = survey_, stops = stops_,
+                          about = surroundings()](const std::stop_token& stop) {
+    Run run;
+    run.cancel = stop;
+    run.progress = [this, last = -1](double fraction, std::string_view what) mutable {
+      const int step = static_cast<int>(fraction * film_steps);
+      if (step == last) return;
+      last = step;
+      QMetaObject::invokeMethod(
+          this,
+          [this, step, text = QString::fromUtf8(what.data(), static_cast<int>(what.size()))] {
+            progress_->setValue(step);
+            progress_->setToolTip(text);
+          },
+          Qt::QueuedConnection);
+    };
+    QString said, why;
+    try {
+      render::MapData data;
+      data.points = survey.points.get();
+      data.stems = survey.stems.get();
+      data.sections = survey.sections.get();
+      data.trajectory = survey.walk.get();
+      const auto flight = report::flight_of(wanted, survey.walk.get(), stops);
+      const auto report = report::write_flythrough(data, flight, wanted, folder.toStdString(), run, about);
+      said = QString::fromStdString(report.message);
+    } catch (const std::exception& e) {
+      why = QString::fromUtf8(e.what());
+    }
+    QMetaObject::invokeMethod(
+        this, [this, said, why] { end(said, why); }, Qt::QueuedConnection);
+  });
 }
 
 void FlythroughDialog::end(const QString& said, const QString& why) {
@@ -267,7 +275,7 @@ void install_flythrough(Workbench& bench) {
                               options.color = film_color_of(b->scene().settings().color);
                               options.point_size = b->scene().settings().point_size_px;
                               FlythroughDialog dialog(b->scene().survey(), bookmarks_beside(b->session().path()),
-                                                      options, b, clouds_in_film(b->scene()));
+                                                      options, b, scenery_of(b->scene()));
                               QObject::connect(&dialog, &FlythroughDialog::made, b,
                                                [b](const QString& said) { b->say(said); });
                               dialog.exec();

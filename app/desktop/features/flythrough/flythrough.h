@@ -1,12 +1,15 @@
 // Makes a film of the survey that the 3-D view shows, along the walk or through the bookmarked views: the frames that
-// the stage report.flythrough makes of the same inputs, with the clouds beside the survey where they are wished.
+// the stage report.flythrough makes of the same inputs, with the clouds beside the survey and the map behind it where
+// they are wished.
 #pragma once
 
 #include <QDialog>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "document/survey.h"
+#include "render/beside/surroundings.h"
 #include "report/flight/flythrough.h"
 #include "views/clouds/scene_cloud.h"
 
@@ -22,12 +25,13 @@ namespace bole::desktop {
 
 class SceneView;
 
-// The clouds that the 3-D view draws beside the survey.
-struct FilmClouds {
-  std::vector<SceneCloud> list;
+// What the 3-D view draws about the survey.
+struct FilmScenery {
+  std::vector<SceneCloud> clouds;
   render::PointPaint of_survey;  // whose colours they share where they show the same numbers
+  std::optional<render::PlacedPicture> map;
 };
-FilmClouds clouds_in_film(const SceneView& scene);
+FilmScenery scenery_of(const SceneView& scene);
 
 class FlythroughDialog : public QDialog {
   Q_OBJECT
@@ -35,7 +39,7 @@ class FlythroughDialog : public QDialog {
  public:
   // `stops`: bookmarked views.
   FlythroughDialog(const Survey& survey, std::vector<render::ViewPoint> stops, report::FlythroughOptions options,
-                   QWidget* parent, FilmClouds clouds = {});
+                   QWidget* parent, FilmScenery scenery = {});
   ~FlythroughDialog() override;  // cancels
 
   void set_options(const report::FlythroughOptions& options);
@@ -52,17 +56,18 @@ class FlythroughDialog : public QDialog {
  private:
   void make_form();
   void show_what_it_makes();
-  QString words_of_clouds() const;  // those that the film shows, and what it lacks of them
+  render::Surroundings surroundings() const;  // those that are ticked
+  QString words_of_clouds() const;            // those that the film shows, and what it lacks of them
   void end(const QString& said, const QString& why);
 
   Survey survey_;
   std::vector<render::ViewPoint> stops_;
-  FilmClouds clouds_;
+  FilmScenery scenery_;
   report::FlythroughOptions options_;  // what the form does not show of them
   QComboBox *course_, *size_;
   QDoubleSpinBox* seconds_;
   QSpinBox* rate_;
-  QCheckBox *stems_, *beside_, *video_;
+  QCheckBox *stems_, *beside_, *map_, *video_;
   QLabel *what_, *with_clouds_;
   QProgressBar* progress_;
   QPushButton *start_, *cancel_;

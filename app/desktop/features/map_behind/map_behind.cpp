@@ -187,8 +187,11 @@ void MapBehind::show_none() {
 
 void MapBehind::follow_look() {
   const auto& settings = bench_.scene().settings();
-  if (kept_.path.isEmpty() || (settings.map == kept_.visible && settings.map_opacity == kept_.opacity)) return;
+  if (kept_.path.isEmpty() || (settings.map == kept_.visible && settings.map_opacity == kept_.opacity &&
+                               settings.map_on_terrain == kept_.on_terrain))
+    return;
   kept_.visible = settings.map;
+  kept_.on_terrain = settings.map_on_terrain;
   kept_.opacity = settings.map_opacity;
   bench_.guarded([this] { store(); });
 }
@@ -215,6 +218,7 @@ void MapBehind::load() {
   auto settings = bench_.scene().settings();
   settings.map = kept_.visible;
   settings.map_opacity = kept_.opacity;
+  settings.map_on_terrain = kept_.on_terrain;
   bench_.scene().set_settings(settings);
   show_none();
   lay();

@@ -13,6 +13,7 @@ struct KeptMap {
   QString path;  // of the picture, absolute
   bool visible = true;
   double opacity = 1;
+  bool on_terrain = false;
 };
 
 // A picture in the folder of the document, below it or beside it is written by its path from there.

@@ -182,6 +182,10 @@ void ViewPanel::make_map_row(QFormLayout* form) {
   connect(ground_, &QCheckBox::toggled, this, [this](bool on) { change([on](auto& s) { s.map = on; }); });
   connect(ground_opacity_, changed, this, [this](double v) { change([v](auto& s) { s.map_opacity = v / percent; }); });
   form->addRow(row_of({ground_, ground_opacity_}));
+  on_terrain_ = check("view_on_terrain", tr("Map on the terrain"), {});
+  connect(on_terrain_, &QCheckBox::toggled, this,
+          [this](bool on) { change([on](auto& s) { s.map_on_terrain = on; }); });
+  form->addRow(on_terrain_);
 }
 
 // Without a map there is nothing to set.
@@ -193,6 +197,12 @@ void ViewPanel::show_map() {
                             : tr("Open a map first: File > Map behind the survey."));
   ground_opacity_->setEnabled(there && scene_.settings().map);
   ground_opacity_->setValue(percent * scene_.settings().map_opacity);
+  const bool terrain = scene_.survey().terrain != nullptr;
+  on_terrain_->setEnabled(there && scene_.settings().map && terrain);
+  on_terrain_->setChecked(scene_.settings().map_on_terrain);
+  on_terrain_->setToolTip(terrain
+                              ? tr("The map follows hills and hollows. Otherwise it is flat, at the foot of the cloud")
+                              : tr("The survey has no terrain model yet."));
 }
 
 void ViewPanel::take_range() {

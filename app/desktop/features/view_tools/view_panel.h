@@ -47,7 +47,7 @@ class ViewPanel : public QWidget {
   QCheckBox *clip_, *handles_;
   std::array<QDoubleSpinBox*, 6> box_{};  // west, east, south, north, foot, top
   QComboBox* map_ = nullptr;
-  QCheckBox* ground_ = nullptr;  // the map behind
+  QCheckBox *ground_ = nullptr, *on_terrain_ = nullptr;  // the map behind
   QDoubleSpinBox* ground_opacity_ = nullptr;
   static constexpr std::size_t north_switch = 4;
   std::array<QCheckBox*, 6> switches_{};  // as in the settings

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "render/beside/draped_ground.h"
+
 namespace bole::desktop {
 namespace {
 
@@ -27,14 +29,20 @@ void MapLayer::suit(double metres_per_px) {
   if (actor_ && actor_->GetTexture() != texture()) actor_->SetTexture(texture());
 }
 
-void MapLayer::draw(const Eigen::Vector3d& origin, double z, bool visible, double opacity) {
+void MapLayer::hide() {
   if (actor_) renderer_->RemoveActor(actor_);
   actor_ = nullptr;
-  if (!map_ || !visible) return;
-  std::array<Eigen::Vector3d, 4> corners;
-  for (std::size_t k = 0; k < corners.size(); ++k)
-    corners[k] = Eigen::Vector3d(map_->corners[k].x(), map_->corners[k].y(), z) - origin;
-  actor_ = render::ground_actor(texture(), corners, opacity);
+  shown_.reset();
+}
+
+void MapLayer::draw(const Eigen::Vector3d& origin, double z, const Raster* terrain, double opacity) {
+  hide();
+  if (!map_) return;
+  shown_ = render::PlacedPicture{
+      map_->picture,
+      terrain != nullptr ? render::draped_ground(map_->corners, *terrain, z) : render::flat_ground(map_->corners, z),
+      opacity};
+  actor_ = render::ground_actor(texture(), shown_->places, origin, opacity);
   renderer_->AddActor(actor_);
 }
 

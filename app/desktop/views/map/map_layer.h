@@ -1,4 +1,5 @@
-// A map below the survey in the 3-D view: a picture of the place, flat at the foot of what is drawn.
+// A map below the survey in the 3-D view: a picture of the place, flat at the foot of what is drawn or over the
+// terrain.
 #pragma once
 
 #include <vtkActor.h>
@@ -7,10 +8,12 @@
 #include <vtkTexture.h>
 
 #include <Eigen/Core>
-#include <array>
 #include <memory>
+#include <optional>
 
+#include "cloud/raster.h"
 #include "render/beside/ground_picture.h"
+#include "render/beside/surroundings.h"
 
 namespace bole::desktop {
 
@@ -18,8 +21,8 @@ struct SceneMap {
   std::shared_ptr<const render::GroundPicture> picture;
   std::shared_ptr<const render::GroundPicture> coarse;  // of the same place, for views from afar; null: none is needed
   double pixel_m = 1;                                   // of `picture`
-  std::array<Eigen::Vector2d, 4> corners;  // north-west, north-east, south-east, south-west; world x and y, metres
-  Eigen::Vector2d north = Eigen::Vector2d::UnitY();  // of its coordinate system, in world axes; unit
+  render::GroundCorners corners;                        // world x and y
+  Eigen::Vector2d north = Eigen::Vector2d::UnitY();     // of its coordinate system, in world axes; unit
 };
 
 class MapLayer {
@@ -28,8 +31,11 @@ class MapLayer {
 
   void set(std::shared_ptr<const SceneMap> map);  // null: none; drawn by draw()
   const std::shared_ptr<const SceneMap>& map() const { return map_; }
-  // At the height `z`, world coordinates; `origin` of the scene.
-  void draw(const Eigen::Vector3d& origin, double z, bool visible, double opacity);
+  // Over the terrain, or flat at the height `z`, world coordinates; null: none. `origin` of the scene.
+  void draw(const Eigen::Vector3d& origin, double z, const Raster* terrain, double opacity);
+  void hide();
+  // As it is drawn now.
+  const std::optional<render::PlacedPicture>& shown() const { return shown_; }
   void suit(double metres_per_px);  // of the view: before a frame
 
  private:
@@ -39,6 +45,7 @@ class MapLayer {
   std::shared_ptr<const SceneMap> map_;
   vtkSmartPointer<vtkTexture> fine_, coarse_;  // made when they are needed
   vtkSmartPointer<vtkActor> actor_;
+  std::optional<render::PlacedPicture> shown_;
   double metres_per_px_ = 1e9;
 };
 

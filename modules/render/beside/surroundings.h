@@ -1,0 +1,25 @@
+// What is drawn about a survey and belongs to none of its stages.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "render/beside/beside_cloud.h"
+#include "render/beside/ground_places.h"
+
+namespace bole::render {
+
+struct PlacedPicture {
+  std::shared_ptr<const GroundPicture> picture;  // never null
+  GroundPlaces places;
+  double opacity = 1;  // 0 to 1
+};
+
+// In the axes of the survey.
+struct Surroundings {
+  std::vector<BesideCloud> clouds;
+  std::optional<PlacedPicture> ground;
+};
+
+}  // namespace bole::render
