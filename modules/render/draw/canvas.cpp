@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "render/draw/dot_mask.h"
 #include "render/draw/screen_look.h"
 
 namespace bole::render {
@@ -15,9 +16,13 @@ namespace {
 constexpr double mm_per_pt = 25.4 / 72;
 constexpr double full_turn = 2 * std::numbers::pi;
 
-void set_color(cairo_t* cairo, const Color& color) {
+Color shown(cairo_t* cairo, const Color& color) {
   const auto* look = look_of(cairo);
-  const Color c = look != nullptr && look->dark ? on_dark(color) : color;
+  return look != nullptr && look->dark ? on_dark(color) : color;
+}
+
+void set_color(cairo_t* cairo, const Color& color) {
+  const Color c = shown(cairo, color);
   cairo_set_source_rgba(cairo, c.r, c.g, c.b, c.a);
 }
 
@@ -157,6 +162,7 @@ void Canvas::ellipse(const Eigen::Vector2d& centre, double a_mm, double b_mm, do
 }
 
 void Canvas::dots(std::span<const Eigen::Vector2d> centres, double diameter_mm, const Color& color) {
+  if (draw_dot_mask(cairo_, centres, diameter_mm, shown(cairo_, color))) return;
   // A stroke of no length with round caps is a dot: far cheaper than a circle, and one path element in the vector
   // files.
   cairo_set_line_cap(cairo_, CAIRO_LINE_CAP_ROUND);

@@ -42,6 +42,41 @@ TEST(Figure, HasItsSizeInPixels) {
   EXPECT_DOUBLE_EQ(image.pixel(199, 199).b, 1);
 }
 
+// Against circles one by one, at several sizes and places within a pixel.
+TEST(Figure, ManyDotsAreAsManyCircles) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-1, 21);
+  std::vector<Eigen::Vector2d> centres;
+  for (int i = 0; i < 400; ++i) centres.emplace_back(place(random), place(random));
+  constexpr double px = 25.4 / 96;
+  const Box part{10 * px, 10 * px, 70 * px, 60 * px};
+  for (const double dot_mm : {0.2, 0.35, 0.6, 1.5}) {
+    const auto sheet = [&](auto draw) { return Figure{"dots", "", "", 20, 20, true, draw}; };
+    const auto one_by_one = figure_image(sheet([&](Canvas& canvas) {
+                                           const auto clip = canvas.clip(part);
+                                           for (const auto& c : centres) canvas.circle(c, dot_mm / 2, hex(0x204060));
+                                         }),
+                                         96);
+    const auto at_once = figure_image(sheet([&](Canvas& canvas) {
+                                        const auto clip = canvas.clip(part);
+                                        canvas.dots(centres, dot_mm, hex(0x204060));
+                                      }),
+                                      96);
+    double ink_of_circles = 0, ink_of_dots = 0, most = 0;
+    for (int y = 0; y < at_once.height; ++y)
+      for (int x = 0; x < at_once.width; ++x) {
+        const double a = 1 - one_by_one.pixel(x, y).r, b = 1 - at_once.pixel(x, y).r;
+        ink_of_circles += a, ink_of_dots += b;
+        most = std::max(most, std::abs(a - b));
+      }
+    EXPECT_GT(ink_of_circles, 50) << dot_mm;
+    EXPECT_NEAR(ink_of_dots / ink_of_circles, 1, 0.1) << dot_mm;  // cairo's circles are polygons, and smaller
+    EXPECT_LT(most, 0.2) << dot_mm;
+    const auto paper = figure_svg(sheet([&](Canvas& canvas) { canvas.dots(centres, dot_mm, hex(0x204060)); }));
+    EXPECT_EQ(paper.find("<image"), std::string::npos);
+  }
+}
+
 TEST(Figure, PngCarriesItsResolution) {
   const auto png = figure_png(square(), 300);
   EXPECT_EQ(big_endian(png, 16), 600U);  // width
