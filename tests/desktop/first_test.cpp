@@ -1,7 +1,7 @@
 // The first minutes with the window: start page, what was opened, the next step, commands found by letters, icons,
 // focus, room on a small screen, and the stem table.
 #include <vtkActor.h>
-#include <vtkActorCollection.h>
+#include <vtkPropCollection.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
@@ -36,6 +36,7 @@
 #include "look/theme.h"
 #include "panels/column_words.h"
 #include "panels/table_panel.h"
+#include "render/beside/point_parts.h"
 #include "sample_window.h"
 #include "shell/command_palette.h"
 #include "shell/modes.h"
@@ -509,10 +510,12 @@ class FirstTest : public QObject {
     auto* renderers = scene.renderWindow()->GetRenderers();
     renderers->InitTraversal();
     while (auto* renderer = renderers->GetNextItem()) {
-      auto* actors = renderer->GetActors();
-      actors->InitTraversal();
-      while (auto* actor = actors->GetNextActor())
-        largest = std::max(largest, static_cast<double>(actor->GetProperty()->GetPointSize()));
+      auto* props = renderer->GetViewProps();
+      props->InitTraversal();
+      while (auto* prop = props->GetNextProp())
+        if (const auto* parts = render::PointParts::SafeDownCast(prop))
+          for (auto* part : parts->drawn())
+            largest = std::max(largest, static_cast<double>(part->GetProperty()->GetPointSize()));
     }
     return largest;
   }

@@ -77,8 +77,8 @@ render::ClipBox SceneView::everything() const {
 }
 
 int SceneView::actor_count() {
-  return renderer_->GetActors()->GetNumberOfItems() - static_cast<int>(layer_.actors() + clouds_.actors()) -
-         (marked_ ? 1 : 0) + (survey_.points && !survey_.points->empty() ? 1 : 0);
+  return renderer_->GetActors()->GetNumberOfItems() - (marked_ ? 1 : 0) +
+         (survey_.points && !survey_.points->empty() ? 1 : 0);
 }
 
 void SceneView::mark_points(const std::vector<std::uint32_t>& points) {

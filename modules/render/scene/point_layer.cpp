@@ -28,11 +28,15 @@ OctreeView view_of(vtkRenderer* renderer, const Eigen::Vector3d& shift) {
 
 }  // namespace
 
+PointLayer::~PointLayer() {
+  if (renderer_) renderer_->RemoveViewProp(parts_);
+}
+
 void PointLayer::show(std::shared_ptr<PointNodes> nodes, const Eigen::Vector3d& origin) {
   clear();
   nodes_ = std::move(nodes);
   origin_ = origin;
-  set_clip(clip_);  // its planes are relative to the origin
+  place_clip_planes();  // they are relative to the origin
 }
 
 void PointLayer::set_paint(PointPaint paint) {
@@ -46,19 +50,25 @@ void PointLayer::set_filter(const PointFilter& filter) {
 }
 
 void PointLayer::set_clip(const std::optional<ClipBox>& box) {
+  if (box == clip_) return;
   clip_ = box;
+  place_clip_planes();
+  for (auto& [i, tile] : tiles_) clip(tile);
+  parts_->Modified();
+}
+
+void PointLayer::place_clip_planes() {
   clip_planes_->RemoveAllItems();
-  if (box)
+  if (clip_)
     for (int axis = 0; axis < 3; ++axis)
       for (const double side : {1.0, -1.0}) {
-        const Eigen::Vector3d at = (side > 0 ? box->lo : box->hi) - origin_,
+        const Eigen::Vector3d at = (side > 0 ? clip_->lo : clip_->hi) - origin_,
                               normal = side * Eigen::Vector3d::Unit(axis);
         vtkNew<vtkPlane> plane;
         plane->SetOrigin(at.x(), at.y(), at.z());
         plane->SetNormal(normal.x(), normal.y(), normal.z());
         clip_planes_->AddItem(plane);
       }
-  for (auto& [i, tile] : tiles_) clip(tile);
 }
 
 void PointLayer::clip(Tile& tile) const {
@@ -70,20 +80,23 @@ void PointLayer::clip(Tile& tile) const {
 }
 
 void PointLayer::set_point_size(double px) {
+  if (px == size_px_) return;
   size_px_ = px;
   for (auto& [i, tile] : tiles_)
     if (tile.actor) tile.actor->GetProperty()->SetPointSize(static_cast<float>(px));
+  parts_->Modified();
 }
 
 void PointLayer::set_opacity(double opacity) {
+  if (opacity == opacity_) return;
   opacity_ = opacity;
   for (auto& [i, tile] : tiles_)
     if (tile.actor) let_shine_through(*tile.actor, opacity);
+  parts_->Modified();
 }
 
 void PointLayer::clear() {
-  for (auto& [i, tile] : tiles_)
-    if (tile.actor && renderer_) renderer_->RemoveActor(tile.actor);
+  parts_->clear();
   tiles_.clear();
   drawn_ = awaited_ = 0;
 }
@@ -107,14 +120,18 @@ PointLayer::Tile PointLayer::make_tile(PointSet all) const {
   if (tile.indices.empty()) return tile;
   for (const auto i : tile.indices) tile.box.extend(cloud.position(i));
   tile.actor = painted_points_actor(cloud, tile.indices, paint_, origin_, size_px_, opacity_);
-  StillPointsRenderer::mark(*tile.actor);
   clip(tile);
   return tile;
 }
 
 bool PointLayer::update(vtkRenderer* renderer, std::size_t budget, std::size_t fresh) {
   if (!nodes_) return true;
-  renderer_ = renderer;
+  if (renderer_ != renderer) {
+    if (renderer_) renderer_->RemoveViewProp(parts_);
+    renderer_ = renderer;
+    StillPointsRenderer::mark(*parts_);
+    renderer->AddViewProp(parts_);
+  }
   ++frame_;
   const Eigen::Vector3d origin = nodes_->origin();
   auto view = view_of(renderer, origin - origin_);
@@ -136,13 +153,15 @@ bool PointLayer::update(vtkRenderer* renderer, std::size_t budget, std::size_t f
       }
       fresh_ += size;
       it = tiles_.emplace(i, make_tile(std::move(points))).first;
-      if (it->second.actor) renderer->AddActor(it->second.actor);
+      if (it->second.actor) parts_->add(it->second.actor);
     }
     it->second.last_use = frame_;
     drawn_ += it->second.indices.size();
   }
+  std::vector<vtkActor*> seen;
   for (auto& [i, tile] : tiles_)
-    if (tile.actor) tile.actor->SetVisibility(tile.last_use == frame_);
+    if (tile.actor && tile.last_use == frame_) seen.push_back(tile.actor);
+  parts_->show(std::move(seen));
   forget_unused();
   return complete;
 }
@@ -161,14 +180,9 @@ void PointLayer::forget_unused() {
     if (points <= kept_points) return;
     auto it = tiles_.find(i);
     points -= it->second.indices.size();
-    if (it->second.actor) renderer_->RemoveActor(it->second.actor);
+    if (it->second.actor) parts_->remove(it->second.actor);
     tiles_.erase(it);
   }
-}
-
-std::size_t PointLayer::actors() const {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      tiles_, [&](const auto& t) { return t.second.actor && renderer_ && renderer_->HasViewProp(t.second.actor); }));
 }
 
 std::vector<PointSet> PointLayer::drawn_near(const PickView& view, const Eigen::Vector2d& at_px,

@@ -12,6 +12,7 @@
 #include <unordered_map>
 
 #include "render/beside/ground_below.h"
+#include "render/beside/point_parts.h"
 #include "render/scene/pick.h"
 #include "render/scene/point_octree.h"
 #include "render/scene/point_paint.h"
@@ -28,6 +29,7 @@ struct PointFilter {
 // World axes; nothing beyond it is drawn. Cheap to change: prepared points stay.
 struct ClipBox {
   Eigen::Vector3d lo = Eigen::Vector3d::Zero(), hi = Eigen::Vector3d::Ones();
+  bool operator==(const ClipBox&) const = default;
   bool contains(const Eigen::Vector3d& p) const {
     return (p.array() >= lo.array()).all() && (p.array() <= hi.array()).all();
   }
@@ -35,6 +37,11 @@ struct ClipBox {
 
 class PointLayer {
  public:
+  PointLayer() = default;
+  ~PointLayer();
+  PointLayer(const PointLayer&) = delete;
+  PointLayer& operator=(const PointLayer&) = delete;
+
   // Null: nothing is drawn then.
   void show(std::shared_ptr<PointNodes> nodes, const Eigen::Vector3d& origin);
   // The same of an octree in memory, which must be that of the cloud's positions; both may be null.
@@ -55,7 +62,6 @@ class PointLayer {
   std::size_t drawn() const { return drawn_; }      // points of the last update
   std::size_t fresh() const { return fresh_; }      // of them, those that were prepared for it
   std::size_t awaited() const { return awaited_; }  // nodes that the last update wanted and that are not here yet
-  std::size_t actors() const;                       // that the renderer holds for it; grows as the picture is refined
   // Those that are seen, in nodes that may have some within `reach_px` of a pixel.
   std::vector<PointSet> drawn_near(const PickView& view, const Eigen::Vector2d& at_px, double reach_px) const;
   const PointPaint& paint() const { return paint_; }
@@ -69,6 +75,7 @@ class PointLayer {
   };
   void clear();
   Tile make_tile(PointSet points) const;
+  void place_clip_planes();
   void clip(Tile& tile) const;
   void forget_unused();
 
@@ -80,7 +87,8 @@ class PointLayer {
   vtkNew<vtkPlaneCollection> clip_planes_;
   double size_px_ = 2, opacity_ = 1;
   std::unordered_map<std::uint32_t, Tile> tiles_;
-  vtkSmartPointer<vtkRenderer> renderer_;  // that the tiles were added to
+  vtkNew<PointParts> parts_;               // the actors of the tiles
+  vtkSmartPointer<vtkRenderer> renderer_;  // that they were added to
   std::uint64_t frame_ = 0;
   std::size_t drawn_ = 0, fresh_ = 0, awaited_ = 0;
 };

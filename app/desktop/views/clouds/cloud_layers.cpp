@@ -191,12 +191,6 @@ std::size_t CloudLayers::awaited() const {
   return sum;
 }
 
-std::size_t CloudLayers::actors() const {
-  std::size_t sum = 0;
-  for (const auto& layer : layers_) sum += layer->points.actors();
-  return sum;
-}
-
 void CloudLayers::add_drawn(const render::PickView& view, const Eigen::Vector2d& at_px, double reach_px,
                             std::vector<render::PointSet>& drawn, std::vector<const SceneCloud*>& owners) const {
   if (!origin_) return;

@@ -37,7 +37,6 @@ class CloudLayers : public QObject {
   std::size_t drawn(int id) const;  // points of one of them
   std::size_t fresh() const;
   std::size_t awaited() const;
-  std::size_t actors() const;
   // Adds what is seen of them and may lie within `reach_px` of a pixel, and whose it is.
   void add_drawn(const render::PickView& view, const Eigen::Vector2d& at_px, double reach_px,
                  std::vector<render::PointSet>& drawn, std::vector<const SceneCloud*>& owners) const;
