@@ -82,7 +82,7 @@ void SceneView::before_frame() {
   if (point_ratio_ != devicePixelRatioF()) size_points();  // the window went to another screen
   frame_start_ = std::chrono::steady_clock::now();
   const bool moves = moving_ && last_eye_ != still_eye_;
-  timed_ = moves;
+  thinned_ = timed_ = moves;
   const auto budget = moves ? pace_.next() : at_rest;
   // Each cloud has its share of the frame; the survey has what is left.
   const std::size_t layers = 1 + clouds_.drawn_clouds();
@@ -100,8 +100,8 @@ void SceneView::before_frame() {
 
 void SceneView::after_frame() {
   drawing_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_start_).count();
-  if (moving_) return rest_.start(rest_ms);
-  if (!complete_) return rest_.start(0);
+  frame_due_ = thinned_ || !complete_;
+  if (frame_due_) return rest_.start(thinned_ ? rest_ms : 0);
   if (!settings_.eye_dome || rendering_ || awaited() > 0) return;
   const int* size = renderWindow()->GetSize();
   render::EyeDomeOptions shading;

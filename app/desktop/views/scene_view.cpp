@@ -53,7 +53,7 @@ SceneView::SceneView(Selection& selection, QWidget* parent)
   connect(&rest_, &QTimer::timeout, this, [this] {
     moving_ = QGuiApplication::mouseButtons() != Qt::NoButton && moving_;
     if (moving_) return rest_.start(rest_ms);
-    redraw();
+    if (std::exchange(frame_due_, false)) redraw();  // after a click that moved nothing there is no need
   });
   connect(this, &QOpenGLWidget::frameSwapped, this, &SceneView::frame_shown);
   connect(&clouds_, &CloudLayers::arrived, this, &SceneView::take_arrivals);
@@ -131,6 +131,7 @@ void SceneView::show_points() {
 // A frame of all points at rest takes long: most of the time is left to those who fetch more of them.
 void SceneView::take_arrivals() {
   constexpr double waits_per_frame = 3;
+  frame_due_ = true;
   if (!moving_ && !rest_.isActive()) rest_.start(static_cast<int>(1000 * waits_per_frame * drawing_s_));
 }
 

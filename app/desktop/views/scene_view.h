@@ -289,6 +289,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   QTimer rest_;
   QMetaObject::Connection arrivals_;  // of points from the disk
   bool moving_ = false, complete_ = true, timed_ = false;
+  bool thinned_ = false;    // the last frame has fewer points, since the camera moves
+  bool frame_due_ = false;  // once the view rests: points are missing
   int holds_ = 0;
   std::optional<Hold> click_;  // from the release of a button until what was clicked is selected
   bool frame_wanted_ = false;  // while frames are held

@@ -98,14 +98,18 @@ void add_near(const PickView& view, const PointCloud& cloud, std::span<const std
   Eigen::Matrix4d translate = Eigen::Matrix4d::Identity();
   translate.topRightCorner<3, 1>() = cloud.origin - view.origin;
   const Eigen::Matrix4d m = view.world_to_clip * translate;
+  // Pixels from the place that was picked, times w: nothing is divided for the many points that are far from it.
+  const Eigen::RowVector4d right = view.width_px / 2 * m.row(0) + (view.width_px / 2 - at_px.x()) * m.row(3),
+                           up = view.height_px / 2 * m.row(1) + (view.height_px / 2 - at_px.y()) * m.row(3),
+                           depth = m.row(2), away = m.row(3);
   const auto& positions = cloud.positions();
   for (const auto i : indices) {
-    const Eigen::Vector4d clip = m * positions[i].cast<double>().homogeneous();
-    if (!(clip.w() > 1e-9) || std::abs(clip.z()) > clip.w()) continue;
-    const Eigen::Vector2d px((clip.x() / clip.w() + 1) / 2 * view.width_px,
-                             (clip.y() / clip.w() + 1) / 2 * view.height_px);
+    const Eigen::Vector4d p = positions[i].cast<double>().homogeneous();
+    const double w = away * p, x = right * p, y = up * p;
+    if (!(w > 1e-9) || x * x + y * y > reach_px * reach_px * w * w) continue;
+    const double z = depth * p;
     // In a parallel view w is one everywhere; z orders the points there.
-    if (const double d = (px - at_px).norm(); d <= reach_px) near.push_back({set, i, d, clip.w() + clip.z()});
+    if (std::abs(z) <= w) near.push_back({set, i, std::sqrt(x * x + y * y) / w, w + z});
   }
 }
 
