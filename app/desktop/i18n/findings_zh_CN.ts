@@ -4695,6 +4695,18 @@
             <translation>可容纳所有分块（含缓冲区）的空间</translation>
         </message>
         <message>
+            <source>'%1' cannot be read again: %2 of %3 bytes</source>
+            <translation>无法重新读取'%1'：%3 字节中的 %2 字节</translation>
+        </message>
+        <message>
+            <source>the points of the tile</source>
+            <translation>该分块的点</translation>
+        </message>
+        <message>
+            <source>Look at the disk, and cut the cloud again</source>
+            <translation>请检查磁盘，然后重新切分点云</translation>
+        </message>
+        <message>
             <source>writing tiles</source>
             <translation>写出分块</translation>
         </message>

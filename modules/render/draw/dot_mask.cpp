@@ -24,7 +24,6 @@ class DotStamps {
       for (int u = 0; u < steps; ++u) add((u + 0.5) / steps, (v + 0.5) / steps, radius);
   }
   int reach() const { return reach_; }
-  int side() const { return side_; }
   const std::uint8_t* at(int u, int v) const {
     return covers_.data() + static_cast<std::ptrdiff_t>(v * steps + u) * side_ * side_;
   }

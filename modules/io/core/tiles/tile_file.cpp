@@ -1,5 +1,7 @@
 #include "io/core/tiles/tile_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 
@@ -65,8 +67,9 @@ class TileWriter {
     at_ += bytes.size();
   }
 
-  void put_plain() {
+  void put_parts() {
     std::ifstream in(parts_.path(), std::ios::binary);
+    const std::uint64_t begin = at_;
     std::vector<std::uint8_t> block(block_bytes);
     for (std::size_t read = block.size(); read == block.size();) {
       run_.check_cancel();
@@ -74,6 +77,10 @@ class TileWriter {
       read = static_cast<std::size_t>(in.gcount());
       put({block.data(), read});
     }
+    if (at_ - begin != parts_.bytes())
+      throw failure(
+          fmt::format("'{}' cannot be read again: {} of {} bytes", parts_.path().string(), at_ - begin, parts_.bytes()),
+          "the points of the tile", "Look at the disk, and cut the cloud again");
   }
 
   void put_packed(const laz::Packing& packing) {
@@ -81,7 +88,7 @@ class TileWriter {
     put_number(0);  // of the chunk table, once its place is known
     std::vector<laz::Chunk> chunks = parts_.chunks();
     for (auto& chunk : chunks) chunk.begin += at_, chunk.end += at_;
-    put_plain();
+    put_parts();
     const std::uint64_t table_at = at_;
     put(laz::encode_chunk_table(packing, chunks));
     out_.stream().seekp(static_cast<std::streamoff>(begin));
@@ -128,7 +135,7 @@ void write_tile_file(const std::filesystem::path& path, const TileParts& parts, 
   TileWriter writer(path, parts, run);
   writer.put(header_for(source, info, vlrs, statistics, packed));
   writer.put(vlrs.bytes());
-  packed ? writer.put_packed(packing) : writer.put_plain();
+  packed ? writer.put_packed(packing) : writer.put_parts();
   writer.commit();
 }
 

@@ -18,7 +18,7 @@ bool can_be_packed(int point_format);
 // more room on the disk than the tiles do.
 class TileParts {
  public:
-  // `path`: the file, which is written over and is removed with this object. `info` must outlive it.
+  // `path`: the file, which is written over and is removed with this object.
   TileParts(std::filesystem::path path, const LasInfo& info);
   ~TileParts();
   TileParts(const TileParts&) = delete;
@@ -29,6 +29,7 @@ class TileParts {
   void take(std::vector<std::uint8_t>& records, bool all);
 
   const std::filesystem::path& path() const { return path_; }
+  std::uint64_t bytes() const { return end_; }
   // Places in the file; none where points stay uncompressed.
   const std::vector<laz::Chunk>& chunks() const { return chunks_; }
 
