@@ -8,6 +8,7 @@
 #include "clouds_window.h"
 #include "features/clouds/cloud_panel.h"
 #include "features/flythrough/flythrough.h"
+#include "short_film.h"
 
 namespace bole::desktop {
 
@@ -114,16 +115,8 @@ class CloudFilmTest : public CloudsWindow {
   // Three frames, through two views that are nearly the same.
   std::vector<QImage> film(const char* name, bool with_clouds) {
     look_from_the_south();
-    const auto first = scene().view_point();
-    auto second = first;
-    second.eye += Eigen::Vector3d(0.5, 0, 0.2);
-    report::FlythroughOptions options;
-    options.seconds = 0.6;
-    options.frame_rate = 5;
-    options.width = 320;
-    options.height = 180;
-    options.video = false;
-    FlythroughDialog dialog(scene().survey(), {first, second}, options, window_.get(), scenery_of(scene()));
+    FlythroughDialog dialog(scene().survey(), short_course(scene(), {0.5, 0, 0.2}), short_film(), window_.get(),
+                            scenery_of(scene()));
     auto* box = dialog.findChild<QCheckBox*>("flythrough_clouds");
     if (box->isEnabled()) box->setChecked(with_clouds);
     QSignalSpy made(&dialog, &FlythroughDialog::made);

@@ -22,6 +22,7 @@
 #include "geo/core/projected_crs.h"
 #include "io/core/clouds/cloud_writer.h"
 #include "sample_window.h"
+#include "short_film.h"
 #include "small_plot.h"
 #include "stall_meter.h"
 #include "views/scene_view.h"
@@ -241,16 +242,8 @@ class MapBehindTest : public QObject {
 
   void a_film_has_it_where_it_is_wished() {
     scene().look_along({0, 0.3, -1}, Eigen::Vector3d::UnitY());
-    const auto first = scene().view_point();
-    auto second = first;
-    second.eye.x() += 0.5;
-    report::FlythroughOptions options;
-    options.seconds = 0.6;
-    options.frame_rate = 5;
-    options.width = 320;
-    options.height = 180;
-    options.video = false;
-    FlythroughDialog dialog(scene().survey(), {first, second}, options, window_.get(), scenery_of(scene()));
+    FlythroughDialog dialog(scene().survey(), short_course(scene(), {0.5, 0, 0}), short_film(), window_.get(),
+                            scenery_of(scene()));
     auto* box = dialog.findChild<QCheckBox*>("flythrough_map");
     QVERIFY(box->isEnabled() && box->isChecked());
     for (const bool with : {true, false}) {
