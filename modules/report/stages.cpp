@@ -115,7 +115,7 @@ void register_stages(pipeline::StageRegistry& registry) {
   pipeline::StageType type;
   type.name = "report.plot";
   type.vtk_class = "vtkBolePlotReport";
-  type.version = 5;
+  type.version = 6;
   type.title = "Write the report";
   type.help =
       "Writes what a survey has found into the output folder: stems.csv and the other tables, plot.csv with the "

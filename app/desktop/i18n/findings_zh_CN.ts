@@ -7039,6 +7039,42 @@
             <translation>坐标轴相同的点云</translation>
         </message>
         <message>
+            <source>the points lie %1 km from the %2</source>
+            <translation>点距“%2”%1 km</translation>
+        </message>
+        <message>
+            <source>files in the same axes</source>
+            <translation>坐标轴相同的文件</translation>
+        </message>
+        <message>
+            <source>Give the cloud that was written with them</source>
+            <translation>请给出与它们一同写出的点云</translation>
+        </message>
+        <message>
+            <source>views</source>
+            <translation>视图</translation>
+        </message>
+        <message>
+            <source>the survey has no place on the earth for the map %1</source>
+            <translation>测量没有地理位置，无法使用地图 %1</translation>
+        </message>
+        <message>
+            <source>a georeferenced survey</source>
+            <translation>已定位的测量</translation>
+        </message>
+        <message>
+            <source>Give its plot control points (survey.georeference), or leave the map out</source>
+            <translation>请为样地给出控制点（survey.georeference），或不使用地图</translation>
+        </message>
+        <message>
+            <source>the map names no coordinate system and was taken to have that of the survey</source>
+            <translation>地图没有注明坐标系，按测量的坐标系处理</translation>
+        </message>
+        <message>
+            <source>the points have no heights above ground: the map is flat</source>
+            <translation>点没有离地高度：地图为平面</translation>
+        </message>
+        <message>
             <source>the cloud beside the survey lies %1 km away</source>
             <translation>旁置点云距测量 %1 km</translation>
         </message>

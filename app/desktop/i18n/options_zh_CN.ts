@@ -4208,6 +4208,18 @@
             <translation>测量之外那幅点云的不透明度。1:完全不透明。</translation>
         </message>
         <message>
+            <source>Picture of the place (orthophoto, scanned map) that is drawn below the survey: any raster with a place on the earth. The survey needs one too.</source>
+            <translation>绘制在测量下方的当地图像(正射影像、扫描地图):任何带地理位置的栅格。测量也须有地理位置。</translation>
+        </message>
+        <message>
+            <source>Opacity of the map.</source>
+            <translation>地图的不透明度。</translation>
+        </message>
+        <message>
+            <source>The map follows the ground below the points, else it is flat at the foot of the survey.</source>
+            <translation>地图随点下方的地面起伏,否则为测量底部的平面。</translation>
+        </message>
+        <message>
             <source>Draw the fitted stems.</source>
             <translation>绘制拟合的树干。</translation>
         </message>

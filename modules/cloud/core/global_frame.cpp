@@ -22,16 +22,32 @@ Eigen::Vector3d whole_metres(const Eigen::Vector3d& p) {
   return Eigen::Vector3d(std::round(p.x()), std::round(p.y()), std::round(p.z()));
 }
 
-void move_sensor_columns(const PointCloud& local, const GlobalFrame& frame, PointCloud& out, const Run& run) {
-  if (!local.has(arrays::sensor_x) || !local.has(arrays::sensor_y) || !local.has(arrays::sensor_z)) return;
-  const auto &x = local.values<float>(arrays::sensor_x), &y = local.values<float>(arrays::sensor_y),
-             &z = local.values<float>(arrays::sensor_z);
-  const Eigen::Vector3d shift = frame.to_global(local.origin) - out.origin;
+// Positions and sensor positions by p -> A (p - from) + to, about an origin of whole metres.
+PointCloud moved(const PointCloud& cloud, const Eigen::Matrix3d& A, const Eigen::Vector3d& from,
+                 const Eigen::Vector3d& to, const Run& run) {
+  PointCloud out = cloud;
+  forget_whole(out.facts);
+  out.scale.setZero();
+  const Eigen::Vector3d origin = to + A * (cloud.origin - from);
+  out.origin = whole_metres(origin);
+  const Eigen::Vector3d shift = origin - out.origin;
+  const auto place = [&](const Eigen::Vector3d& offset) -> Eigen::Vector3f {
+    return (A * offset + shift).cast<float>();
+  };
+  const auto& before = cloud.positions();
+  PointCloud::Positions after(before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (i % points_between_polls == 0) run.check_cancel();
+    after[i] = place(before[i].cast<double>());
+  }
+  out.set_positions(std::move(after));
+  if (!cloud.has(arrays::sensor_x) || !cloud.has(arrays::sensor_y) || !cloud.has(arrays::sensor_z)) return out;
+  const auto &x = cloud.values<float>(arrays::sensor_x), &y = cloud.values<float>(arrays::sensor_y),
+             &z = cloud.values<float>(arrays::sensor_z);
   std::vector<float> nx(x.size()), ny(x.size()), nz(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (i % points_between_polls == 0) run.check_cancel();
-    const Eigen::Vector3d offset(static_cast<double>(x[i]), static_cast<double>(y[i]), static_cast<double>(z[i]));
-    const Eigen::Vector3f p = (frame.A_global_local * offset + shift).cast<float>();
+    const Eigen::Vector3f p = place({static_cast<double>(x[i]), static_cast<double>(y[i]), static_cast<double>(z[i])});
     nx[i] = p.x();
     ny[i] = p.y();
     nz[i] = p.z();
@@ -39,6 +55,43 @@ void move_sensor_columns(const PointCloud& local, const GlobalFrame& frame, Poin
   out.set_column(arrays::sensor_x, std::move(nx));
   out.set_column(arrays::sensor_y, std::move(ny));
   out.set_column(arrays::sensor_z, std::move(nz));
+  return out;
+}
+
+// The 15 numbers of a frame.
+std::string frame_text(const GlobalFrame& frame) {
+  std::string text;
+  const auto add = [&text](double value) { text += fmt::format("{}{:.17g}", text.empty() ? "" : " ", value); };
+  for (Eigen::Index row = 0; row < 3; ++row)
+    for (Eigen::Index column = 0; column < 3; ++column) add(frame.A_global_local(row, column));
+  for (Eigen::Index k = 0; k < 3; ++k) add(frame.centre_local(k));
+  for (Eigen::Index k = 0; k < 3; ++k) add(frame.shift_global(k));
+  return text + (frame.heights_known ? " heights" : "");
+}
+
+GlobalFrame frame_from(const std::string& text, const FactInfo& fact) {
+  std::array<double, 15> values{};
+  std::istringstream words(text);
+  std::string word;
+  for (auto& value : values) {
+    words >> word;
+    const auto number = words ? number_from_text(word) : std::nullopt;
+    if (!number || !std::isfinite(*number))
+      throw bad_input(fmt::format("the data say '{}' for '{}'", text.substr(0, 60), fact.key), "15 numbers",
+                      "Run the stage survey.georeference again");
+    value = *number;
+  }
+  GlobalFrame frame;
+  for (Eigen::Index row = 0; row < 3; ++row)
+    for (Eigen::Index column = 0; column < 3; ++column)
+      frame.A_global_local(row, column) = values[static_cast<std::size_t>(3 * row + column)];
+  for (Eigen::Index k = 0; k < 3; ++k) frame.centre_local(k) = values[static_cast<std::size_t>(9 + k)];
+  for (Eigen::Index k = 0; k < 3; ++k) frame.shift_global(k) = values[static_cast<std::size_t>(12 + k)];
+  frame.heights_known = static_cast<bool>(words >> word) && word == "heights";
+  if (std::abs(frame.A_global_local.determinant()) < 0.5)
+    throw bad_input(fmt::format("the place of the axes ('{}') is no turn and shift", fact.key),
+                    "a matrix that keeps lengths", "Run the stage survey.georeference again");
+  return frame;
 }
 
 double nearest_value(const Raster& raster, double x, double y) {
@@ -170,60 +223,38 @@ bool GlobalFrame::only_shifts() const { return A_global_local.isApprox(Eigen::Ma
 
 void set_facts(Facts& facts, const GlobalFrame& frame) {
   set_fact(facts, facts::global_crs, frame.crs_wkt);
-  std::string text;
-  const auto add = [&text](double value) { text += fmt::format("{}{:.17g}", text.empty() ? "" : " ", value); };
-  for (Eigen::Index row = 0; row < 3; ++row)
-    for (Eigen::Index column = 0; column < 3; ++column) add(frame.A_global_local(row, column));
-  for (Eigen::Index k = 0; k < 3; ++k) add(frame.centre_local(k));
-  for (Eigen::Index k = 0; k < 3; ++k) add(frame.shift_global(k));
-  set_fact(facts, facts::global_frame, text + (frame.heights_known ? " heights" : ""));
+  set_fact(facts, facts::global_frame, frame_text(frame));
 }
 
 std::optional<GlobalFrame> global_frame_of(const Facts& facts) {
   const auto text = fact_text(facts, facts::global_frame);
   if (!text) return std::nullopt;
-  std::array<double, 15> values{};
-  std::istringstream words(*text);
-  std::string word;
-  for (auto& value : values) {
-    words >> word;
-    const auto number = words ? number_from_text(word) : std::nullopt;
-    if (!number || !std::isfinite(*number))
-      throw bad_input(fmt::format("the data say '{}' for '{}'", text->substr(0, 60), facts::global_frame.key),
-                      "15 numbers", "Run the stage survey.georeference again");
-    value = *number;
-  }
-  GlobalFrame frame;
-  for (Eigen::Index row = 0; row < 3; ++row)
-    for (Eigen::Index column = 0; column < 3; ++column)
-      frame.A_global_local(row, column) = values[static_cast<std::size_t>(3 * row + column)];
-  for (Eigen::Index k = 0; k < 3; ++k) frame.centre_local(k) = values[static_cast<std::size_t>(9 + k)];
-  for (Eigen::Index k = 0; k < 3; ++k) frame.shift_global(k) = values[static_cast<std::size_t>(12 + k)];
-  frame.heights_known = static_cast<bool>(words >> word) && word == "heights";
+  auto frame = frame_from(*text, facts::global_frame);
   frame.crs_wkt = fact_text(facts, facts::global_crs).value_or("");
-  if (std::abs(frame.A_global_local.determinant()) < 0.5)
-    throw bad_input(fmt::format("the place of the axes ('{}') is no turn and shift", facts::global_frame.key),
-                    "a matrix that keeps lengths", "Run the stage survey.georeference again");
   return frame;
 }
 
 PointCloud to_global(const PointCloud& local, const GlobalFrame& frame, const Run& run) {
-  PointCloud out = local;
+  auto out = moved(local, frame.A_global_local, frame.centre_local, frame.shift_global, run);
   out.axes = Axes::global;
   out.crs_wkt = frame.crs_wkt;
-  forget_whole(out.facts);
-  out.scale.setZero();
-  const Eigen::Vector3d origin = frame.to_global(local.origin);
-  out.origin = whole_metres(origin);
-  const Eigen::Vector3d shift = origin - out.origin;
-  const auto& before = local.positions();
-  PointCloud::Positions after(before.size());
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    if (i % points_between_polls == 0) run.check_cancel();
-    after[i] = (frame.A_global_local * before[i].cast<double>() + shift).cast<float>();
-  }
-  out.set_positions(std::move(after));
-  move_sensor_columns(local, frame, out, run);
+  set_fact(out.facts, facts::local_axes, frame_text(frame));
+  return out;
+}
+
+std::optional<GlobalFrame> local_axes_of(const PointCloud& global) {
+  const auto text = fact_text(global.facts, facts::local_axes);
+  if (!text || global.axes != Axes::global) return std::nullopt;
+  auto frame = frame_from(*text, facts::local_axes);
+  frame.crs_wkt = global.crs_wkt;
+  return frame;
+}
+
+PointCloud to_local(const PointCloud& global, const GlobalFrame& frame, const Run& run) {
+  auto out = moved(global, frame.A_global_local.inverse(), frame.shift_global, frame.centre_local, run);
+  out.axes = Axes::plot;
+  out.crs_wkt.clear();
+  out.facts.erase(std::string(facts::local_axes.key));
   return out;
 }
 

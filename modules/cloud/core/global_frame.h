@@ -20,6 +20,9 @@ inline constexpr FactInfo global_crs{"global_crs", "", 0, 0,
                                      "Coordinate reference system in which the local axes have a place, as WKT."};
 inline constexpr FactInfo global_frame{"global_frame", "", 0, 0,
                                        "Place of the local axes in it: 15 numbers, see cloud/core/global_frame.h."};
+inline constexpr FactInfo local_axes{
+    "local_axes", "", 0, 0,
+    "Of a cloud in global axes: place of the local axes that it was moved from, as global_frame."};
 
 }  // namespace facts
 
@@ -48,8 +51,14 @@ struct GlobalFrame {
 void set_facts(Facts& facts, const GlobalFrame& frame);
 std::optional<GlobalFrame> global_frame_of(const Facts& facts);
 
-// Positions and sensor positions in global coordinates, about an origin of whole metres; other columns are shared.
+// Positions and sensor positions in global coordinates, about an origin of whole metres; other columns are shared. The
+// cloud keeps the frame as a fact, so that it can be brought back to what else there is of its survey.
 PointCloud to_global(const PointCloud& local, const GlobalFrame& frame, const Run& run);
+// That frame; nothing where the cloud has none or its axes are not global. Throws Error{bad_input} for a fact that is
+// damaged.
+std::optional<GlobalFrame> local_axes_of(const PointCloud& global);
+// The way back: axes of the plot.
+PointCloud to_local(const PointCloud& global, const GlobalFrame& frame, const Run& run);
 
 // The grid with its rows along the easting and cells of the same size. A frame that only shifts keeps the cells;
 // else elevations (quantity elevation_m) and slopes are interpolated; a cell of canopy_height_m gets the highest value

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace bole::render {
 namespace {
@@ -43,6 +44,30 @@ double GroundBelow::z_at(const Eigen::Vector2d& plan) const {
         if (cell != cells_.end()) return cell->second.sum_z / static_cast<double>(cell->second.count);
       }
   return std::numeric_limits<double>::quiet_NaN();
+}
+
+Raster GroundBelow::heights() const {
+  Raster raster;
+  if (cells_.empty()) return raster;
+  struct Height {
+    std::int64_t x, y;
+    double z;
+  };
+  std::vector<Height> heights;
+  heights.reserve(cells_.size());
+  for (const auto& [key, cell] : cells_)
+    heights.push_back({static_cast<std::int64_t>(key) >> 32, static_cast<std::int32_t>(key),
+                       cell.sum_z / static_cast<double>(cell.count)});
+  const auto [west, east] = std::ranges::minmax(heights, {}, &Height::x);
+  const auto [south, north] = std::ranges::minmax(heights, {}, &Height::y);
+  raster.origin = {static_cast<double>(west.x), static_cast<double>(south.y)};
+  raster.nx = static_cast<int>(east.x - west.x + 1);
+  raster.ny = static_cast<int>(north.y - south.y + 1);
+  raster.values.assign(static_cast<std::size_t>(raster.nx) * static_cast<std::size_t>(raster.ny),
+                       std::numeric_limits<float>::quiet_NaN());
+  for (const auto& [x, y, z] : heights)
+    raster.at(static_cast<int>(x - west.x), static_cast<int>(y - south.y)) = static_cast<float>(z);
+  return raster;
 }
 
 }  // namespace bole::render

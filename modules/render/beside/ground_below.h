@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "cloud/point_cloud.h"
+#include "cloud/raster.h"
 
 namespace bole::render {
 
@@ -16,6 +17,8 @@ class GroundBelow {
   bool empty() const { return cells_.empty(); }
   // Not a number where no point of the survey is within a metre or two.
   double z_at(const Eigen::Vector2d& plan) const;
+  // All of it as a terrain model of cells of a metre; none without any ground.
+  Raster heights() const;
 
  private:
   struct Cell {

@@ -19,7 +19,7 @@
 #include "report/core/survey_facts.h"
 #include "report/core/terms.h"
 #include "report/core/view3d.h"
-#include "report/place_section.h"
+#include "report/place/place_section.h"
 
 namespace bole::report {
 namespace {

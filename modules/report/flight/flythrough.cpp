@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <memory>
 #include <optional>
-#include <sstream>
 
 #include "base/atomic_file.h"
 #include "cloud/trajectory.h"
@@ -26,17 +23,6 @@ namespace fs = std::filesystem;
 constexpr double prepared = 0.05, drawn = 0.9;  // shares of the work
 constexpr double frame_dpi = 96;
 constexpr const char *frame_folder = "flythrough", *video_file = "flythrough.mp4";
-
-std::vector<render::ViewPoint> stops_in(const std::string& file) {
-  if (file.empty()) return {};
-  std::ifstream in(file);
-  if (!in) throw bad_input("the views of " + file + " cannot be read", "a file of bookmarks, such as plot.views.json");
-  std::ostringstream text;
-  text << in.rdbuf();
-  std::vector<render::ViewPoint> stops;
-  for (const auto& named : render::parse_views(text.str())) stops.push_back(named.view);
-  return stops;
-}
 
 // A film of fewer frames than the one before has no frames of that one at its end.
 void clear_frames(const fs::path& folder) {
@@ -54,42 +40,6 @@ std::optional<render::Color> plain_color(const std::string& text) {
   const auto read = std::from_chars(text.data() + 1, text.data() + text.size(), rgb, 16);
   if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return {};
   return render::hex(rgb);
-}
-
-Eigen::AlignedBox2d plan_box(const PointCloud& cloud) {
-  Eigen::AlignedBox2d box;
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    if (const Eigen::Vector3d p = cloud.position(i); p.allFinite()) box.extend(Eigen::Vector2d(p.head<2>()));
-  return box;
-}
-
-// A far cloud would leave the survey no depth to be drawn in.
-void check_near(const PointCloud& survey, const PointCloud& beside) {
-  constexpr double far_m = 1000;
-  const auto a = plan_box(survey), b = plan_box(beside);
-  if (a.isEmpty() || b.isEmpty()) return;
-  if (const double m = a.exteriorDistance(b); m > far_m)
-    throw bad_input(fmt::format("the cloud beside the survey lies {:.1f} km away", m / 1000), "clouds in the same axes",
-                    "Bring it into the axes of the survey: align it in the window and save it");
-}
-
-pipeline::StageResult run_flythrough(const DataSet& inputs, const FlythroughOptions& o, const Run& run) {
-  if (run.output_dir.empty())
-    throw bad_input("there is no folder for the frames", "an output folder", "Give it with --out DIR");
-  render::MapData data;
-  data.points = &inputs.cloud("points");
-  if (inputs.has("stems")) data.stems = &inputs.table("stems");
-  if (inputs.has("sections")) data.sections = &inputs.table("sections");
-  if (inputs.has("trajectory")) data.trajectory = &inputs.trajectory("trajectory");
-  pipeline::StageResult result;
-  render::Surroundings about;
-  if (inputs.has("beside")) {
-    check_near(*data.points, inputs.cloud("beside"));
-    about.clouds.push_back(beside_cloud(inputs.cloud("beside"), o));
-  }
-  result.report =
-      write_flythrough(data, flight_of(o, data.trajectory, stops_in(o.views)), o, run.output_dir, run, about);
-  return result;
 }
 
 }  // namespace
@@ -147,6 +97,17 @@ const OptionTable& option_table(const FlythroughOptions*) {
              {0.05, 1},
              Tier::advanced,
              "Opacity of the cloud beside the survey. 1: nothing shines through."},
+      Option<S, std::string>{
+          "map",
+          &S::map,
+          TextKind::input_path,
+          {},
+          Tier::basic,
+          "Picture of the place (orthophoto, scanned map) that is drawn below the survey: any raster "
+          "with a place on the earth. The survey needs one too."},
+      Number{"map_opacity", &S::map_opacity, Unit::none, {0.05, 1}, Tier::advanced, "Opacity of the map."},
+      Option<S, bool>{"map_on_terrain", &S::map_on_terrain, Tier::advanced,
+                      "The map follows the ground below the points, else it is flat at the foot of the survey."},
       OnlyIf{"course", {"views"}, {"views"}},
       OnlyIf{"course", {"walk"}, {"above", "ahead"}},
   });
@@ -220,33 +181,6 @@ render::BesideCloud beside_cloud(const PointCloud& cloud, const FlythroughOption
     throw bad_input(fmt::format("beside_color is '{}'", what),
                     fmt::format("{} or a colour such as #d98e04", fmt::join(columns, ", ")));
   return {points, render::paint_by(cloud, what), 0, options.beside_opacity};
-}
-
-pipeline::StageType flythrough_stage() {
-  pipeline::StageType type;
-  type.name = "report.flythrough";
-  type.vtk_class = "vtkBoleFlythrough";
-  type.title = "Make a film";
-  type.help =
-      "Draws a flight of the camera through a survey, along the walk or through bookmarked views, as frames "
-      "flythrough/frame_00001.png and so on, and as flythrough.mp4 where ffmpeg is installed. The same inputs give the "
-      "same frames.";
-  type.source = "Bole";
-  type.inputs = {{"points", DataKind::cloud, "Points of the survey.", false, {}},
-                 {"stems", DataKind::table, "Stems to draw.", true, {}},
-                 {"sections", DataKind::table, "Circles along the stems.", true, {}},
-                 {"trajectory", DataKind::trajectory, "Walk of the sensor.", true, {}},
-                 {"beside",
-                  DataKind::cloud,
-                  "Another cloud in the axes of the survey, drawn with it: an earlier date, another scanner.",
-                  true,
-                  {}}};
-  type.options = &option_table(static_cast<const FlythroughOptions*>(nullptr));
-  type.writes_files = true;
-  type.run = [](const DataSet& inputs, const OptionSet& options, const Run& run) {
-    return run_flythrough(inputs, options.as<FlythroughOptions>(), run);
-  };
-  return type;
 }
 
 }  // namespace bole::report

@@ -29,6 +29,9 @@ struct FlythroughOptions {
   bool video = true;
   std::string beside_color = "#d98e04";
   double beside_opacity = 1;
+  std::string map;  // a picture with a place on the earth
+  double map_opacity = 1;
+  bool map_on_terrain = false;
 };
 
 const OptionTable& option_table(const FlythroughOptions*);

@@ -57,6 +57,30 @@ TEST(GlobalFrame, MovesCloudsToAMicrometre) {
   EXPECT_NEAR(moved.origin.x() + static_cast<double>(moved.values<float>(arrays::sensor_x)[2]), sensor.x(), 5e-6);
 }
 
+TEST(GlobalFrame, ACloudKnowsTheAxesThatItWasMovedFrom) {
+  const auto frame = some_frame(1.1, 0.002);
+  PointCloud cloud({{0, 0, 0}, {20, -15, 3}, {-31.123456F, 12.5F, 25}}, {2, 1, 0});
+  for (const auto& array : {arrays::sensor_x, arrays::sensor_y, arrays::sensor_z})
+    cloud.set_column(array, std::vector<float>{0, 1, 2});
+  EXPECT_FALSE(local_axes_of(cloud).has_value());
+  const auto global = to_global(cloud, frame, {});
+  const auto known = local_axes_of(global).value();
+  EXPECT_EQ(known.A_global_local, frame.A_global_local);
+  EXPECT_EQ(known.crs_wkt, frame.crs_wkt);
+  const auto back = to_local(global, known, {});
+  EXPECT_EQ(back.axes, Axes::plot);
+  EXPECT_EQ(back.crs_wkt, "");
+  EXPECT_FALSE(local_axes_of(back).has_value());
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    EXPECT_LT((back.position(i) - cloud.position(i)).norm(), 1e-5);
+    const double x = back.origin.x() + static_cast<double>(back.values<float>(arrays::sensor_x)[i]);
+    EXPECT_NEAR(x, cloud.origin.x() + static_cast<double>(i), 1e-5);
+  }
+  auto damaged = global;
+  damaged.facts["local_axes"] = "1 2 3";
+  EXPECT_THROW(local_axes_of(damaged), Error);
+}
+
 // A slope with a height of 0.3 x - 0.1 y + 2.
 Raster slope_of(const std::string& quantity) {
   Raster r;

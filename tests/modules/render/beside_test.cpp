@@ -176,6 +176,23 @@ TEST(GroundBelow, IsThatOfTheSurvey) {
   EXPECT_NEAR(ground.z_at({500.1, 600.1}), 70, 0.06);
   EXPECT_TRUE(std::isfinite(ground.z_at({521.5, 610})));
   EXPECT_TRUE(std::isnan(ground.z_at({540, 610})));
+  const auto heights_of_cells = ground.heights();
+  EXPECT_EQ(heights_of_cells.nx, 20);
+  EXPECT_EQ(heights_of_cells.ny, 20);
+  EXPECT_NEAR(heights_of_cells.sample(510, 610), 71, 0.06);
+  EXPECT_EQ(GroundBelow(PointCloud()).heights().nx, 0);
+}
+
+TEST(GroundBelow, HeightsOfCellsBelowZeroLieWhereTheyAre) {
+  PointCloud cloud({{-7.5, -3.5, 1}, {2.5, 4.5, 5}, {2.6F, 4.4F, 7}});
+  cloud.set_column(arrays::height_above_ground, std::vector<float>{0, 0, 1});
+  const auto heights = GroundBelow(cloud).heights();
+  EXPECT_EQ(heights.origin, Eigen::Vector2d(-8, -4));
+  ASSERT_EQ(heights.nx, 11);
+  ASSERT_EQ(heights.ny, 9);
+  EXPECT_FLOAT_EQ(heights.at(0, 0), 1);
+  EXPECT_FLOAT_EQ(heights.at(10, 8), 5.5F);
+  EXPECT_TRUE(std::isnan(heights.at(5, 4)));
 }
 
 TEST(CloudKeys, StandInTheViewOnlyWhereThereAreClouds) {

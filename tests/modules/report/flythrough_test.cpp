@@ -4,17 +4,22 @@
 #include <gdal_priv.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <ogr_spatialref.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <memory>
 #include <sstream>
 
 #include "base/error.h"
+#include "cloud/core/global_frame.h"
 #include "render/beside/draped_ground.h"
 #include "render/offscreen/offscreen.h"
 #include "report/flight/flythrough.h"
@@ -31,22 +36,39 @@ std::string bytes_of(const fs::path& path) {
   return text.str();
 }
 
-// Pixels of a frame where this band stands out: 0 red, 2 blue.
-int pixels_like(const fs::path& frame, int band) {
+// Red, green and blue of all pixels, one band after the other; empty where it cannot be read.
+std::vector<std::uint8_t> bands_of(const fs::path& frame) {
   GDALAllRegister();
   const std::unique_ptr<GDALDataset> png(GDALDataset::FromHandle(GDALOpen(frame.c_str(), GA_ReadOnly)));
-  if (!png || png->GetRasterCount() < 3) return -1;
+  if (!png || png->GetRasterCount() < 3) return {};
   const int w = png->GetRasterXSize(), h = png->GetRasterYSize();
-  std::array<std::vector<std::uint8_t>, 3> rgb;
-  for (int b = 0; b < 3; ++b) {
-    rgb[b].resize(static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
-    if (png->GetRasterBand(b + 1)->RasterIO(GF_Read, 0, 0, w, h, rgb[b].data(), w, h, GDT_Byte, 0, 0) != CE_None)
-      return -1;
-  }
+  std::vector<std::uint8_t> bands(3 * static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
+  int order[] = {1, 2, 3};
+  if (png->RasterIO(GF_Read, 0, 0, w, h, bands.data(), w, h, GDT_Byte, 3, order, 0, 0, 0, nullptr) != CE_None)
+    return {};
+  return bands;
+}
+
+// Pixels of a frame where this band stands out: 0 red, 2 blue.
+int pixels_like(const fs::path& frame, std::size_t band) {
+  const auto bands = bands_of(frame);
+  if (bands.empty()) return -1;
+  const std::size_t size = bands.size() / 3;
   int n = 0;
-  for (std::size_t i = 0; i < rgb[0].size(); ++i)
-    n += rgb[band][i] > rgb[2 - band][i] + 60 && rgb[band][i] > rgb[1][i] + 60;
+  for (std::size_t i = 0; i < size; ++i) {
+    const int value = bands[band * size + i];
+    n += value > bands[(2 - band) * size + i] + 60 && value > bands[size + i] + 60;
+  }
   return n;
+}
+
+std::string refusal(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "not refused";
 }
 
 class Flythrough : public testing::Test {
@@ -84,6 +106,18 @@ class Flythrough : public testing::Test {
     data.points = &cloud_;
     data.trajectory = &walk_;
     return write_flythrough(data, flight_of(options_, &walk_, {}), options_, to, run);
+  }
+  // Of one or two small frames.
+  static Report run_stage(const DataSet& inputs, const std::map<std::string, std::string>& wanted, const fs::path& to) {
+    const auto stage = flythrough_stage();
+    bole::Run run;
+    run.output_dir = to;
+    OptionSet options(*stage.options);
+    for (const auto& [name, value] : {std::pair("width", "96"), {"height", "54"}, {"seconds", "0.1"}})
+      options.set_text(name, value);
+    for (const auto& [name, value] : wanted) options.set_text(name, value);
+    fs::create_directories(to);
+    return stage.run(inputs, options, run).report;
   }
   void install_ffmpeg(const std::string& script) {
     const auto program = folder_ / "bin" / "ffmpeg";
@@ -167,32 +201,121 @@ TEST_F(Flythrough, ACloudBesideTheSurveyIsInItsColour) {
 }
 
 TEST_F(Flythrough, TheStageTakesACloudBesideTheSurveyThatIsNear) {
-  const auto stage = flythrough_stage();
   PointCloud other({{2, 5, 0}, {3, 5, 1}, {4, 5, 2}});
   const auto film = [&](const fs::path& to) {
     DataSet inputs;
     inputs.set("points", cloud_), inputs.set("trajectory", walk_), inputs.set("beside", other);
-    bole::Run run;
-    run.output_dir = to;
-    OptionSet options(*stage.options);
-    for (const auto& [name, value] : {std::pair("width", "96"),
-                                      {"height", "54"},
-                                      {"seconds", "0.1"},
-                                      {"point_size", "20"},
-                                      {"beside_color", "#ff0000"}})
-      options.set_text(name, value);
-    fs::create_directories(to);
-    stage.run(inputs, options, run);
+    run_stage(inputs, {{"point_size", "20"}, {"beside_color", "#ff0000"}}, to);
   };
   film(folder_ / "near");
   EXPECT_GT(pixels_like(folder_ / "near/flythrough/frame_00001.png", 0), 0);
   other.origin = {500000, 5400000, 0};
-  EXPECT_THROW(
-      try { film(folder_ / "far"); } catch (const Error& e) {
-        EXPECT_THAT(e.what(), testing::HasSubstr("km away"));
-        throw;
-      },
-      Error);
+  EXPECT_THAT(refusal([&] { film(folder_ / "far"); }), testing::HasSubstr("km away"));
+}
+
+// The files of a survey with a place: the cloud is in its coordinate system, stems and walk are in the axes of the
+// plot.
+class FilmOfAPlace : public Flythrough {
+ protected:
+  FilmOfAPlace() {
+    frame_.shift_global = {563210, 5412345, 431};
+    frame_.A_global_local = Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    frame_.crs_wkt = gdal_wkt(25832);
+    frame_.heights_known = true;
+    std::vector<float> heights;
+    for (const auto& p : cloud_.positions()) heights.push_back(std::max(0.0F, p.z() - 0.1F));
+    cloud_.set_column(arrays::height_above_ground, std::move(heights));
+  }
+  static std::string gdal_wkt(int epsg) {
+    OGRSpatialReference crs;
+    crs.importFromEPSG(epsg);
+    char* text = nullptr;
+    crs.exportToWkt(&text);
+    std::string wkt(text);
+    CPLFree(text);
+    return wkt;
+  }
+  DataSet inputs(const PointCloud& points) const {
+    DataSet inputs;
+    inputs.set("points", points), inputs.set("trajectory", walk_);
+    return inputs;
+  }
+  // Red, 60 m wide, about the plot.
+  fs::path red_map() const {
+    GDALAllRegister();
+    const auto path = folder_ / "red.tif";
+    const std::unique_ptr<GDALDataset> set(
+        GDALDataset::FromHandle(GDALCreate(GDALGetDriverByName("GTiff"), path.c_str(), 60, 60, 3, GDT_Byte, nullptr)));
+    double transform[6] = {563180, 1, 0, 5412375, 0, -1};
+    set->SetGeoTransform(transform);
+    OGRSpatialReference crs;
+    crs.importFromEPSG(25832);
+    set->SetSpatialRef(&crs);
+    set->GetRasterBand(1)->Fill(255);
+    return path;
+  }
+  std::string first(const char* name) const { return bytes_of(folder_ / name / "flythrough/frame_00001.png"); }
+
+  GlobalFrame frame_;
+};
+
+TEST_F(FilmOfAPlace, IsThatOfThePlotItself) {
+  run_stage(inputs(cloud_), {}, folder_ / "plot");
+  const auto global = to_global(cloud_, frame_, {});
+  run_stage(inputs(global), {}, folder_ / "global");
+  // Moved there and back the points lie within some micrometres of where they were.
+  const auto here = bands_of(folder_ / "plot/flythrough/frame_00001.png"),
+             back = bands_of(folder_ / "global/flythrough/frame_00001.png");
+  ASSERT_FALSE(here.empty());
+  std::size_t drawn = 0, other = 0;
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    drawn += here[i] < 240;
+    other += std::abs(here[i] - back[i]) > 16;
+  }
+  EXPECT_GT(drawn, 200U);
+  EXPECT_LT(other, drawn / 20);
+  auto foreign = global;
+  foreign.facts.erase("local_axes");
+  EXPECT_THAT(refusal([&] { run_stage(inputs(foreign), {}, folder_ / "foreign"); }),
+              testing::AllOf(testing::HasSubstr("the points lie 5442 km from the walk"),
+                             testing::HasSubstr("the cloud that was written with them")));
+}
+
+TEST_F(FilmOfAPlace, HasAMapOfIt) {
+  const auto map = red_map().string();
+  const auto global = to_global(cloud_, frame_, {});
+  run_stage(inputs(global), {}, folder_ / "none");
+  EXPECT_EQ(pixels_like(folder_ / "none/flythrough/frame_00001.png", 0), 0);
+  for (const char* on_terrain : {"false", "true"}) {
+    const auto report = run_stage(inputs(global), {{"map", map}, {"map_on_terrain", on_terrain}}, folder_ / on_terrain);
+    EXPECT_GT(pixels_like(folder_ / on_terrain / "flythrough/frame_00001.png", 0), 300) << on_terrain;
+    EXPECT_THAT(report.warnings, testing::ElementsAre(testing::HasSubstr("ffmpeg"))) << on_terrain;
+  }
+  EXPECT_NE(first("false"), first("true"));
+  auto bare = global;
+  bare.remove_column(arrays::height_above_ground.name);
+  const auto report = run_stage(inputs(bare), {{"map", map}, {"map_on_terrain", "true"}}, folder_ / "bare");
+  EXPECT_THAT(report.warnings, testing::Contains(testing::HasSubstr("the map is flat")));
+  EXPECT_THAT(refusal([&] {
+                run_stage(inputs(cloud_), {{"map", map}}, folder_ / "nowhere");
+              }),
+              testing::HasSubstr("no place on the earth"));
+  frame_.shift_global.x() += 5000;
+  EXPECT_THAT(refusal([&] {
+                run_stage(inputs(to_global(cloud_, frame_, {})), {{"map", map}}, folder_ / "far");
+              }),
+              testing::HasSubstr("km"));
+}
+
+TEST_F(FilmOfAPlace, TakesACloudBesideItInEitherAxes) {
+  const auto global = to_global(cloud_, frame_, {});
+  PointCloud other({{2, 5, 0}, {3, 5, 1}, {4, 5, 2}});
+  for (const auto& beside : {other, to_global(other, frame_, {})}) {
+    auto both = inputs(global);
+    both.set("beside", beside);
+    run_stage(both, {{"point_size", "20"}, {"beside_color", "#ff0000"}}, folder_ / "both");
+    EXPECT_GT(pixels_like(folder_ / "both/flythrough/frame_00001.png", 0), 0) << axes_name(beside.axes);
+  }
 }
 
 TEST_F(Flythrough, AShorterFilmLeavesNoFramesOfALongerOne) {

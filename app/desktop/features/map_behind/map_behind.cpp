@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "io/core/gdal/map_picture.h"
 #include "look/last_folder.h"
 #include "views/scene_view.h"
 #include "workbench/workbench.h"
@@ -100,7 +101,8 @@ std::optional<MapGround> MapBehind::ground() const {
   if (!bench_.scene().extent_known()) return {};
   const auto frame = place_on_earth(bench_.scene().survey(), bench_.runner().results());
   if (!frame) return {};
-  return ground_of(*frame, bench_.scene().whole());
+  const auto& whole = bench_.scene().whole();
+  return report::ground_of(*frame, Eigen::AlignedBox3d(whole.lo, whole.hi));
 }
 
 void MapBehind::lay() {

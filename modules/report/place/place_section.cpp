@@ -1,4 +1,4 @@
-#include "report/place_section.h"
+#include "report/place/place_section.h"
 
 #include <cmath>
 
