@@ -36,6 +36,16 @@
 
 namespace bole::desktop {
 
+// Which of those that it watches was shown last.
+class ShownLast : public QObject {
+ public:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Show) last = watched;
+    return false;
+  }
+  QObject* last = nullptr;
+};
+
 class ShellTest : public QObject {
   Q_OBJECT
 
@@ -198,6 +208,30 @@ class ShellTest : public QObject {
     again.show();
     QVERIFY(!again.docks().find("log")->isVisibleTo(&again));
     QVERIFY(again.docks().find("pipeline")->isVisibleTo(&again));
+    QSettings().clear();
+  }
+
+  void a_panel_with_a_window_of_its_own_comes_back_above_the_window() {
+    {
+      MainWindow window;
+      window.show();
+      apply_mode(window, shipped_modes().back());
+      auto* slice = window.docks().find("slice");
+      slice->setFloating(true);
+      slice->setGeometry({window.mapToGlobal({300, 300}), QSize(300, 300)});
+      QVERIFY(QTest::qWaitForWindowExposed(slice));
+      keep_layout(window);
+    }
+    MainWindow again;
+    auto* slice = again.docks().find("slice");
+    ShownLast shown;
+    again.installEventFilter(&shown);
+    slice->installEventFilter(&shown);
+    restore_last_layout(again);
+    again.show();
+    // Window managers keep a window that was there before its parent below it.
+    QTRY_COMPARE(shown.last, static_cast<QObject*>(slice));
+    QVERIFY(slice->isFloating() && slice->isVisible());
     QSettings().clear();
   }
 

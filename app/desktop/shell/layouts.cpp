@@ -4,6 +4,7 @@
 #include <QInputDialog>
 #include <QMenu>
 #include <QSettings>
+#include <QTimer>
 
 #include "shell/main_window.h"
 #include "shell/modes.h"
@@ -37,6 +38,15 @@ void save_layout(MainWindow* window) {
   const QString name = QInputDialog::getText(window, MainWindow::tr("Save layout"), MainWindow::tr("Name"));
   if (!name.isEmpty())
     QSettings().setValue("layouts/" + QString(name).replace('/', '-'), window->saveState(state_version));
+}
+
+// Panels with a window of their own were shown while the main window was not: window managers keep such ones below it.
+void show_panels_above(MainWindow& window) {
+  for (auto* dock : window.docks().all()) {
+    if (!dock->isFloating() || !dock->isVisible()) continue;
+    dock->hide();
+    QTimer::singleShot(0, dock, &QDockWidget::show);
+  }
 }
 
 }  // namespace
@@ -74,6 +84,7 @@ void restore_last_layout(MainWindow& window) {
   apply_mode(window, mode);
   window.restoreGeometry(settings.value("geometry").toByteArray());
   window.restoreState(settings.value("state").toByteArray(), state_version);
+  show_panels_above(window);
 }
 
 void keep_layout(MainWindow& window) {

@@ -7,7 +7,8 @@ namespace bole::desktop {
 
 class MainWindow;
 
-void restore_last_layout(MainWindow& window);  // the mode's own when there is none
+// The mode's own when there is none. Before the window is shown; panels with windows of their own come after it.
+void restore_last_layout(MainWindow& window);
 void keep_layout(MainWindow& window);
 
 }  // namespace bole::desktop
