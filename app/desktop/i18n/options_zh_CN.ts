@@ -2020,6 +2020,21 @@
             <comment>report.flythrough</comment>
             <translation>旁置点云不透明度</translation>
         </message>
+        <message>
+            <source>Map</source>
+            <comment>report.flythrough</comment>
+            <translation>地图</translation>
+        </message>
+        <message>
+            <source>Map opacity</source>
+            <comment>report.flythrough</comment>
+            <translation>地图不透明度</translation>
+        </message>
+        <message>
+            <source>Map on terrain</source>
+            <comment>report.flythrough</comment>
+            <translation>地图随地形</translation>
+        </message>
 </context>
     <context>
         <name>option help</name>

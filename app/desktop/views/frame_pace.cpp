@@ -8,9 +8,15 @@ namespace {
 constexpr double min_points = 60'000, max_points = 2'500'000, min_fresh = 10'000, max_fresh = 150'000;
 constexpr double fresh_share = 0.3, spare_share = 0.1;  // of a frame's time for new points: wanted, not wanted
 constexpr double learning = 0.3, max_surprise = 0.5;    // single slow frames (another program's work) count little
+constexpr double step_fresh_share = 0.8;                // of the time of a step, where all of it is new
 constexpr double fastest_s = 1e-9, slowest_s = 5e-6;    // of one point
 
 }  // namespace
+
+FramePace::Budget FramePace::step() const {
+  const auto at_least = [](double points, double least) { return static_cast<std::size_t>(std::max(points, least)); };
+  return {at_least(target_s_ / point_s_, min_points), at_least(step_fresh_share * target_s_ / fresh_s_, min_fresh)};
+}
 
 // Normalised least mean squares (Widrow and Hoff 1960) of seconds = point_s drawn + fresh_s fresh.
 void FramePace::note(double seconds, std::size_t drawn, std::size_t fresh, bool waiting) {

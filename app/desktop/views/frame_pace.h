@@ -17,6 +17,8 @@ class FramePace {
     std::size_t fresh = 0;   // of them not drawn before
   };
   Budget next() const { return budget_; }
+  // Of a frame that is drawn over those before it: of the points that it adds.
+  Budget step() const;
 
   // What a frame took, and whether points that it should have drawn had to wait.
   void note(double seconds, std::size_t drawn, std::size_t fresh, bool waiting);

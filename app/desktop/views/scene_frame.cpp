@@ -1,10 +1,11 @@
-// How a frame of the 3-D view is drawn: as many points as there is time for, then legend, scale bar, numbers and
-// drawings over it.
+// How a frame of the 3-D view is drawn: as many points as there is time for, while the camera rests over those that the
+// frames before have drawn; then legend, scale bar, numbers and drawings over it.
 #include <vtkCamera.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "look/pixels.h"
@@ -15,7 +16,7 @@
 namespace bole::desktop {
 namespace {
 
-constexpr FramePace::Budget at_rest{4'000'000, 500'000};
+constexpr std::size_t seen_at_rest = 4'000'000;  // points
 
 }  // namespace
 
@@ -83,6 +84,8 @@ void SceneView::before_frame() {
   frame_start_ = std::chrono::steady_clock::now();
   const bool moves = moving_ && last_eye_ != still_eye_;
   thinned_ = timed_ = moves;
+  const auto step = pace_.step();
+  const FramePace::Budget at_rest{seen_at_rest, at_once_ ? seen_at_rest : step.fresh};
   const auto budget = moves ? pace_.next() : at_rest;
   // Each cloud has its share of the frame; the survey has what is left.
   const std::size_t layers = 1 + clouds_.drawn_clouds();
@@ -90,15 +93,30 @@ void SceneView::before_frame() {
   const auto left = [](std::size_t all, std::size_t taken) { return all - std::min(all, taken); };
   complete_ = layer_.update(renderer_, left(budget.points, clouds_.drawn()), left(budget.fresh, clouds_.fresh())) &&
               clouds_complete;
-  renderer_->keep(!moves && complete_);
-  if (!moves && complete_) still_eye_ = last_eye_;
+  renderer_->keep(!moves);
+  renderer_->draw_at_most(at_once_ ? seen_at_rest : step.points);
+  if (!moves) still_eye_ = last_eye_;
   map_.suit(2 * half_height_m(renderer_->GetActiveCamera()) / std::max(1, renderWindow()->GetSize()[1]));
-  renderer_->ResetCameraClippingRange();
+  place_clipping_planes();
   furniture_.set_shadow({}, 0, 0);
   place_furniture();
 }
 
+// Points that come in move them a little, and what was drawn between others is of no use any more.
+void SceneView::place_clipping_planes() {
+  constexpr double slack_share = 0.1;  // of the depth; VTK leaves half of it to both sides
+  auto* camera = renderer_->GetActiveCamera();
+  const std::array before{camera->GetClippingRange()[0], camera->GetClippingRange()[1]};
+  renderer_->ResetCameraClippingRange();
+  const double* now = camera->GetClippingRange();
+  const double slack_m = slack_share * (now[1] - now[0]);
+  if (last_eye_ == clipped_eye_ && std::abs(now[0] - before[0]) < slack_m && std::abs(now[1] - before[1]) < slack_m)
+    camera->SetClippingRange(before.data());
+  clipped_eye_ = last_eye_;
+}
+
 void SceneView::after_frame() {
+  complete_ = complete_ && renderer_->whole();
   drawing_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - frame_start_).count();
   frame_due_ = thinned_ || !complete_;
   if (frame_due_) return rest_.start(thinned_ ? rest_ms : 0);

@@ -51,6 +51,7 @@ QImage SceneView::picture(int width_px, bool transparent) {
   const double alpha = renderer_->GetBackgroundAlpha();
   const Eigen::Vector3d ground(renderer_->GetBackground());
   moving_ = false;
+  at_once_ = true;
   // What is faded lets the background through, which is black where there is none: image_of().
   renderer_->SetBackgroundAlpha(transparent ? 0 : 1);
   if (transparent) renderer_->SetBackground(0, 0, 0);
@@ -65,6 +66,7 @@ QImage SceneView::picture(int width_px, bool transparent) {
   if (!transparent) picture = picture.convertToFormat(QImage::Format_RGB888);
   renderer_->SetBackgroundAlpha(alpha);
   renderer_->SetBackground(ground.x(), ground.y(), ground.z());
+  at_once_ = false;
   size_points();
   window->SetSize(before[0], before[1]);
   redraw();

@@ -1,6 +1,6 @@
 // The 3-D view of a survey: points, fitted stems and the walk, drawn from the same parts as the figures of the report.
-// Points come from an octree: while the camera moves as many as the frame has time for, when it rests all that are
-// seen.
+// Points come from an octree: while the camera moves as many as the frame has time for; when it rests all that are
+// seen, some in each frame.
 #pragma once
 
 #include <QVTKOpenGLNativeWidget.h>
@@ -222,6 +222,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void begin_motion();
   void begin_interaction();
   void before_frame();
+  void place_clipping_planes();
   void after_frame();
   void frame_shown();
   void follow_eye();
@@ -274,7 +275,8 @@ class SceneView : public QVTKOpenGLNativeWidget {
   MapLayer map_;
   Eigen::Vector3d eye_ = Eigen::Vector3d::Zero();  // where look_along() put the camera
   std::vector<double> last_eye_;                   // of the last frame: place, direction, angle and size
-  std::vector<double> still_eye_;                  // for which all points were drawn; empty: not since they changed
+  std::vector<double> clipped_eye_;                // that the clipping planes are for
+  std::vector<double> still_eye_;                  // of the last frame at rest; empty: the points changed since
   bool rendering_ = false;                         // a picture lies over the points
   bool photo_by_itself_ = false;                   // nobody asked for the colours of the cloud
   double grid_step_m_ = 0;
@@ -289,6 +291,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   QTimer rest_;
   QMetaObject::Connection arrivals_;  // of points from the disk
   bool moving_ = false, complete_ = true, timed_ = false;
+  bool at_once_ = false;    // all points in one frame, however long it takes
   bool thinned_ = false;    // the last frame has fewer points, since the camera moves
   bool frame_due_ = false;  // once the view rests: points are missing
   int holds_ = 0;

@@ -13,28 +13,29 @@ vtkStandardNewMacro(PointParts);
 void PointParts::add(vtkActor* part) { parts_.emplace_back(part); }
 
 void PointParts::remove(vtkActor* part) {
-  if (std::erase(drawn_, part) > 0) Modified();
+  if (std::erase(drawn_, part) > 0) bounded_ = false;
   std::erase(parts_, part);
+  Modified();
 }
 
 void PointParts::clear() {
   show({});
   parts_.clear();
+  Modified();
 }
 
 void PointParts::show(std::vector<vtkActor*> drawn) {
   if (drawn == drawn_) return;
   drawn_ = std::move(drawn);
-  Modified();
+  bounded_ = false;
 }
 
 double* PointParts::GetBounds() {
   if (drawn_.empty()) return nullptr;
-  if (bounded_ > GetMTime()) return bounds_;
+  if (std::exchange(bounded_, true)) return bounds_;
   vtkBoundingBox box;
   for (auto* part : drawn_) box.AddBounds(part->GetBounds());
   box.GetBounds(bounds_);
-  bounded_.Modified();
   return bounds_;
 }
 

@@ -18,11 +18,11 @@ class PointParts : public vtkProp {
   static PointParts* New();
   vtkTypeMacro(PointParts, vtkProp)
 
-  // Opaque ones, to be drawn by show(). Call Modified() when one changes.
+  // Opaque ones, to be drawn by show(). Call Modified() when one changes; it is called where one goes.
   void add(vtkActor* part);
   void remove(vtkActor* part);
   void clear();
-  // Of the parts. The others keep what the graphics card has of them.
+  // Of the parts, the most important first. The others keep what the graphics card has of them.
   void show(std::vector<vtkActor*> drawn);
   const std::vector<vtkActor*>& drawn() const { return drawn_; }
 
@@ -38,7 +38,7 @@ class PointParts : public vtkProp {
   std::vector<vtkSmartPointer<vtkActor>> parts_;
   std::vector<vtkActor*> drawn_;
   double bounds_[6]{};
-  vtkTimeStamp bounded_;
+  bool bounded_ = false;
 };
 
 }  // namespace bole::render

@@ -1,8 +1,9 @@
 #include "render/beside/still_points_renderer.h"
 
+#include <vtkActor.h>
 #include <vtkCamera.h>
-#include <vtkInformation.h>
-#include <vtkInformationIntegerKey.h>
+#include <vtkDataSet.h>
+#include <vtkMapper.h>
 #include <vtkMatrix4x4.h>
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLFramebufferObject.h>
@@ -11,15 +12,13 @@
 #include <vtkProp.h>
 #include <vtk_glew.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace bole::render {
 namespace {
 
 constexpr int max_pixels = 4096 * 2304;  // 72 MiB; a picture of more is drawn once
-
-vtkInformationIntegerKey* points_key() {
-  static auto* key = vtkInformationIntegerKey::MakeKey("POINTS", "bole");
-  return key;
-}
 
 // From the framebuffer that is read to the one that is drawn to, both of one size. False where the driver refuses, as
 // it may for depths that are stored in two ways.
@@ -35,21 +34,14 @@ bool copy(const int* size) {
 
 vtkStandardNewMacro(StillPointsRenderer);
 
-void StillPointsRenderer::mark(vtkProp& prop) {
-  vtkNew<vtkInformation> keys;
-  keys->Set(points_key(), 1);
-  prop.SetPropertyKeys(keys);
-}
-
-StillPointsRenderer::Key StillPointsRenderer::key_of(const std::vector<vtkProp*>& points) {
-  Key key;
-  const auto add = [&](const double* values, int count) { key.eye.insert(key.eye.end(), values, values + count); };
+std::vector<double> StillPointsRenderer::eye() {
+  std::vector<double> eye;
+  const auto add = [&](const double* values, int count) { eye.insert(eye.end(), values, values + count); };
   add(GetActiveCamera()->GetCompositeProjectionTransformMatrix(GetTiledAspectRatio(), -1, 1)->GetData(), 16);
-  for (const int k : {0, 1}) key.eye.push_back(GetRenderWindow()->GetSize()[k]);
+  for (const int k : {0, 1}) eye.push_back(GetRenderWindow()->GetSize()[k]);
   add(GetBackground(), 3), add(GetBackground2(), 3);
-  key.eye.push_back(GetGradientBackground() ? 1 : 0), key.eye.push_back(GetBackgroundAlpha());
-  for (auto* p : points) key.points.emplace_back(p, p->GetRedrawMTime());
-  return key;
+  eye.push_back(GetGradientBackground() ? 1 : 0), eye.push_back(GetBackgroundAlpha());
+  return eye;
 }
 
 // One picture fills one window, whose pixels have one sample.
@@ -63,30 +55,80 @@ bool StillPointsRenderer::can_keep() {
          window->GetRenderFramebuffer()->GetFBOIndex() != 0;
 }
 
-void StillPointsRenderer::draw(const std::vector<vtkProp*>& props) {
-  for (auto* p : props) NumberOfPropsRendered += p->RenderOpaqueGeometry(this);
+// All that is in the picture is to be drawn, as it was.
+bool StillPointsRenderer::still_holds(const std::vector<PointParts*>& clouds, const std::vector<double>& eye) const {
+  if (eye_.empty() || eye != eye_) return false;
+  std::size_t found = 0;
+  for (auto* cloud : clouds) {
+    const auto it = kept_.find(cloud);
+    if (it == kept_.end()) continue;
+    if (it->second.time != cloud->GetMTime()) return false;
+    const auto& kept = it->second.parts;
+    const auto there = std::ranges::count_if(cloud->drawn(), [&](auto* part) { return kept.contains(part); });
+    if (static_cast<std::size_t>(there) != kept.size()) return false;
+    ++found;
+  }
+  return found == kept_.size();
+}
+
+// False: nothing was missing.
+bool StillPointsRenderer::add_missing(const std::vector<PointParts*>& clouds) {
+  const std::size_t share = most_ / clouds.size();
+  bool added = false;
+  whole_ = true;
+  for (auto* cloud : clouds) {
+    auto& kept = kept_[cloud];
+    kept.time = cloud->GetMTime();
+    std::size_t points = 0;
+    for (auto* part : cloud->drawn()) {
+      if (kept.parts.contains(part)) continue;
+      if (points >= share && points > 0) {
+        whole_ = false;
+        break;
+      }
+      NumberOfPropsRendered += part->RenderOpaqueGeometry(this);
+      points += static_cast<std::size_t>(part->GetMapper()->GetInput()->GetNumberOfPoints());
+      kept.parts.insert(part);
+    }
+    added = added || points > 0;
+  }
+  return added;
 }
 
 void StillPointsRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* target) {
-  std::vector<vtkProp*> points, others;
-  for (int i = 0; i < PropArrayCount; ++i) {
-    auto* keys = PropArray[i]->GetPropertyKeys();
-    (keys != nullptr && keys->Has(points_key()) != 0 ? points : others).push_back(PropArray[i]);
-  }
-  if (points.empty() || !can_keep()) {
-    kept_ = {};
-    if (!points.empty()) ++drawn_;
+  std::vector<PointParts*> clouds;
+  std::vector<vtkProp*> others;
+  for (int i = 0; i < PropArrayCount; ++i)
+    if (auto* cloud = PointParts::SafeDownCast(PropArray[i]))
+      clouds.push_back(cloud);
+    else
+      others.push_back(PropArray[i]);
+  if (clouds.empty() || !can_keep()) {
+    forget();
+    whole_ = true;
+    if (!clouds.empty()) ++drawn_;
     Superclass::DeviceRenderOpaqueGeometry(target);
     return;
   }
-  if (key_of(points) == kept_) {
-    put_back(), ++reused_;
+  if (auto now = eye(); still_holds(clouds, now)) {
+    put_back();
   } else {
-    draw(points), ++drawn_;
-    refused_ = !put_aside();
-    kept_ = refused_ ? Key{} : key_of(points);  // being drawn for the first time changes their times
+    forget();
+    eye_ = std::move(now);
   }
-  draw(others);
+  if (add_missing(clouds)) {
+    ++drawn_;
+    refused_ = !put_aside();
+    if (refused_) forget();
+  } else {
+    ++reused_;
+  }
+  for (auto* p : others) NumberOfPropsRendered += p->RenderOpaqueGeometry(this);
+}
+
+void StillPointsRenderer::forget() {
+  eye_.clear();
+  kept_.clear();
 }
 
 bool StillPointsRenderer::put_aside() {
@@ -122,7 +164,7 @@ void StillPointsRenderer::put_back() {
 }
 
 void StillPointsRenderer::ReleaseGraphicsResources(vtkWindow* window) {
-  kept_ = {};
+  forget();
   picture_->ReleaseGraphicsResources(window);
   Superclass::ReleaseGraphicsResources(window);
 }

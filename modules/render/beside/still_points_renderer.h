@@ -6,29 +6,33 @@
 #include <vtkOpenGLRenderer.h>
 
 #include <cstddef>
-#include <utility>
+#include <limits>
+#include <map>
+#include <unordered_set>
 #include <vector>
 
-class vtkProp;
+#include "render/beside/point_parts.h"
 
 namespace bole::render {
 
-// Millions of points take a tenth of a second to draw; a stem that is selected, or a drawing that is dragged, changes
-// none of them. Colours and depths of the points alone are kept beside the picture, so that what is drawn later lies
-// before and behind them as ever: frames are the same to the pixel with and without.
+// Millions of points take a tenth of a second and more to draw; a stem that is selected, or a drawing that is dragged,
+// changes none of them. Colours and depths of the points (PointParts) alone are kept beside the picture, so that what
+// is drawn later lies before and behind them as ever: frames are the same to the pixel with and without. Points that
+// come into a view that is still are drawn over those that are kept, some in each frame, so that no frame takes long.
 class StillPointsRenderer : public vtkOpenGLRenderer {
  public:
   static StillPointsRenderer* New();
   vtkTypeMacro(StillPointsRenderer, vtkOpenGLRenderer)
 
-  // That the prop is one of the points. Its MTime has to tell of every change.
-  static void mark(vtkProp& prop);
-
   // Whether a frame is worth keeping: not while the camera moves. What was kept before is forgotten by false.
   void keep(bool on) { keeps_ = on; }
+  // In a frame that is kept, besides those that are there; each cloud has its share. What is more than a part is drawn
+  // in parts of the cloud, at least one in each frame.
+  void draw_at_most(std::size_t points) { most_ = points; }
+  bool whole() const { return whole_; }  // the last frame had all of them
 
-  std::size_t frames_drawn() const { return drawn_; }       // in which all points were drawn
-  std::size_t frames_from_kept() const { return reused_; }  // in which their picture was taken
+  std::size_t frames_drawn() const { return drawn_; }       // in which points were drawn
+  std::size_t frames_from_kept() const { return reused_; }  // in which their picture was taken as it was
 
   void DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* target = nullptr) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -38,20 +42,23 @@ class StillPointsRenderer : public vtkOpenGLRenderer {
   ~StillPointsRenderer() override = default;
 
  private:
-  struct Key {
-    std::vector<double> eye;  // all that places and colours pixels but the points
-    std::vector<std::pair<const vtkProp*, vtkMTimeType>> points;
-    bool operator==(const Key&) const = default;
+  struct Kept {
+    vtkMTimeType time = 0;  // of the cloud as it was drawn
+    std::unordered_set<const vtkActor*> parts;
   };
-  Key key_of(const std::vector<vtkProp*>& points);
+  std::vector<double> eye();
   bool can_keep();
-  void draw(const std::vector<vtkProp*>& props);
+  bool still_holds(const std::vector<PointParts*>& clouds, const std::vector<double>& eye) const;
+  bool add_missing(const std::vector<PointParts*>& clouds);
   bool put_aside();
   void put_back();
+  void forget();
 
-  bool keeps_ = false;
+  bool keeps_ = false, whole_ = true;
   bool refused_ = false;  // by the driver: every frame is drawn whole
-  Key kept_;
+  std::size_t most_ = std::numeric_limits<std::size_t>::max();
+  std::vector<double> eye_;  // of the picture: all that places and colours pixels but the points; empty: none is kept
+  std::map<const PointParts*, Kept> kept_;
   vtkNew<vtkOpenGLFramebufferObject> picture_;
   std::size_t drawn_ = 0, reused_ = 0;
 };

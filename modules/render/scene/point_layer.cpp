@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "render/beside/painted_points.h"
-#include "render/beside/still_points_renderer.h"
 #include "render/scene/view_camera.h"
 
 namespace bole::render {
@@ -129,7 +128,6 @@ bool PointLayer::update(vtkRenderer* renderer, std::size_t budget, std::size_t f
   if (renderer_ != renderer) {
     if (renderer_) renderer_->RemoveViewProp(parts_);
     renderer_ = renderer;
-    StillPointsRenderer::mark(*parts_);
     renderer->AddViewProp(parts_);
   }
   ++frame_;
@@ -138,6 +136,7 @@ bool PointLayer::update(vtkRenderer* renderer, std::size_t budget, std::size_t f
   if (clip_) view.lo = (clip_->lo - origin).cast<float>(), view.hi = (clip_->hi - origin).cast<float>();
   drawn_ = fresh_ = awaited_ = 0;
   bool complete = true;
+  std::vector<vtkActor*> seen;
   for (const auto i : nodes_->choose(view, budget, min_px)) {
     auto it = tiles_.find(i);
     if (it == tiles_.end()) {
@@ -157,10 +156,8 @@ bool PointLayer::update(vtkRenderer* renderer, std::size_t budget, std::size_t f
     }
     it->second.last_use = frame_;
     drawn_ += it->second.indices.size();
+    if (it->second.actor) seen.push_back(it->second.actor);
   }
-  std::vector<vtkActor*> seen;
-  for (auto& [i, tile] : tiles_)
-    if (tile.actor && tile.last_use == frame_) seen.push_back(tile.actor);
   parts_->show(std::move(seen));
   forget_unused();
   return complete;
