@@ -25,6 +25,7 @@
 #include "panels/table_panel.h"
 #include "shell/layouts.h"
 #include "shell/recent_files.h"
+#include "shell/screen_change.h"
 #include "shell/shell_commands.h"
 #include "shell/start_page.h"
 #include "shell/thumbnails.h"
@@ -43,6 +44,7 @@ MainWindow::MainWindow() {
   setAcceptDrops(true);
   setCentralWidget(&scene());
   new WholeTabs(*this);
+  new ScreenChange(*this);
   make_docks();
   install_shell_commands(*this);
   install_features(*this);
