@@ -386,6 +386,7 @@ class ViewsTest : public QObject {
       scene.color_by(array);
       QCOMPARE(scene.paint().array, array);
     }
+    QTRY_VERIFY_WITH_TIMEOUT(scene.refined(), 20000);  // points of a new colour come in steps
     render::PointFilter filter;
     filter.height = {1, 2};
     const auto all = scene.drawn_points();

@@ -76,9 +76,12 @@ void apply_theme(Theme theme) {
     return;
   }
   const bool dark = theme == Theme::dark || theme == Theme::system;
-  // Fusion takes any palette.
-  QApplication::setStyle(dark ? new DarkStyle : QStyleFactory::create("Fusion"));
-  QApplication::setPalette(dark ? dark_palette() : with_quiet_words(QApplication::style()->standardPalette()));
+  // Fusion takes any palette. A style that is set anew dresses every widget anew.
+  auto* style = QApplication::style();
+  const bool is_there = dark ? dynamic_cast<DarkStyle*>(style) != nullptr : style->objectName() == "fusion";
+  if (!is_there) QApplication::setStyle(dark ? new DarkStyle : QStyleFactory::create("Fusion"));
+  const QPalette palette = dark ? dark_palette() : with_quiet_words(QApplication::style()->standardPalette());
+  if (palette != QApplication::palette()) QApplication::setPalette(palette);
 }
 
 Theme saved_theme() { return static_cast<Theme>(std::clamp(QSettings().value("theme", 0).toInt(), 0, 2)); }

@@ -8,6 +8,7 @@
 #include <QGuiApplication>
 #include <algorithm>
 
+#include "look/theme.h"
 #include "render/draw/color_maps.h"
 #include "views/clip_handles.h"
 #include "views/figure_picture.h"
@@ -77,7 +78,8 @@ SceneView::~SceneView() = default;
 
 void SceneView::changeEvent(QEvent* event) {
   QVTKOpenGLNativeWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) follow_theme();
+  // A change of style and palette comes in several events.
+  if (event->type() == QEvent::PaletteChange && is_dark(palette()) != look_.dark) follow_theme();
 }
 
 // Figures of the report are made without the window and stay white.
