@@ -48,7 +48,7 @@ pipeline::StageType measure_stage() {
       "the walk that disagree by a centimetre or more are first brought together by the stems, and a walk that SLAM "
       "made too short or too long is made to fit the ranges: points and stems lie where they would if it had its "
       "length. Every point gets the id of its tree.";
-  t.version = 14;
+  t.version = 15;
   t.source = "Al-Sharadqah and Chernov (2009), EJS 3, 886-911 (circles); otherwise Bole";
   t.inputs = measure_ports();
   t.inputs.push_back(

@@ -134,12 +134,15 @@ TEST(MeanBlur, OfTilesIsThatOfAllTheirStems) {
 }
 
 struct ErrorsOfStand {
-  int found = 0, held = 0;
-  double bias_cm = 0;
+  int found = 0, held = 0, widened = 0;
+  double bias_cm = 0;  // sum
+  void operator+=(const ErrorsOfStand& o) {
+    found += o.found, held += o.held, widened += o.widened, bias_cm += o.bias_cm;
+  }
 };
 
-// A stand whose map has every place of the sensor displaced.
-synthetic::StemCloud blurred_stand(double blur_m, unsigned seed) {
+// A stand whose map has the places of the sensor displaced, so many in a row alike.
+synthetic::StemCloud blurred_stand(double blur_m, unsigned seed, std::size_t alike = 1) {
   synthetic::StemCloudOptions o;
   o.azimuth_step = 0.3, o.pass_step = 0.15, o.passes = 4, o.seed = seed;
   auto cloud = synthetic::make_stem_cloud(synthetic::random_stand(8, 0.12, 0.30, seed), o);
@@ -148,9 +151,11 @@ synthetic::StemCloud blurred_stand(double blur_m, unsigned seed) {
   std::map<std::pair<float, float>, Eigen::Vector2f> shifts;
   std::mt19937 random(seed);
   std::normal_distribution<float> normal(0, static_cast<float>(blur_m));
+  Eigen::Vector2f shift = Eigen::Vector2f::Zero();
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const auto [at, fresh] = shifts.try_emplace({x[i], y[i]});
-    if (fresh) at->second.x() = normal(random), at->second.y() = normal(random);
+    if (fresh && (shifts.size() - 1) % alike == 0) shift = {normal(random), normal(random)};
+    if (fresh) at->second = shift;
     positions[i].head<2>() += at->second, x[i] += at->second.x(), y[i] += at->second.y();
   }
   cloud.points.set_positions(std::move(positions));
@@ -158,25 +163,51 @@ synthetic::StemCloud blurred_stand(double blur_m, unsigned seed) {
   return cloud;
 }
 
+ErrorsOfStand errors_of(const synthetic::StemCloud& truth, const StemSurvey& survey) {
+  ErrorsOfStand e;
+  for (const auto& t : truth.stems)
+    for (const auto& s : survey.stems)
+      if ((s.breast_height.head<2>() - t.base - 1.3 * t.direction().head<2>()).norm() < 0.10) {
+        ++e.found, e.bias_cm += 200 * s.radius - 100 * t.dbh, e.widened += s.poses_m > 0;
+        if (2 * s.radius_low <= t.dbh && t.dbh <= 2 * s.radius_high) ++e.held;
+      }
+  return e;
+}
+
+MeasureOptions thin_beam() {
+  MeasureOptions o;
+  o.beam_divergence_mrad = 0, o.beam_aperture = 0;
+  return o;
+}
+
 TEST(BlurredMap, KeepsItsDiametersAndTellsTheBlur) {
   ErrorsOfStand e;
   for (const unsigned seed : {1U, 2U}) {
     const auto truth = blurred_stand(0.02, seed);
-    MeasureOptions o;
-    o.beam_divergence_mrad = 0, o.beam_aperture = 0;
-    const auto survey = measure(truth, o);
+    const auto survey = measure(truth, thin_beam());
     ASSERT_TRUE(survey.report.metrics.contains("blur_across_rays"));
     EXPECT_NEAR(survey.report.metrics.at("blur_across_rays").value, 2, 0.5);
-    for (const auto& t : truth.stems)
-      for (const auto& s : survey.stems)
-        if ((s.breast_height.head<2>() - t.base - 1.3 * t.direction().head<2>()).norm() < 0.10) {
-          ++e.found, e.bias_cm += 200 * s.radius - 100 * t.dbh;
-          if (2 * s.radius_low <= t.dbh && t.dbh <= 2 * s.radius_high) ++e.held;
-        }
+    e += errors_of(truth, survey);
   }
   EXPECT_EQ(e.found, 16);
   EXPECT_GE(e.held, 14);
   EXPECT_LT(std::abs(e.bias_cm / e.found), 0.6);
+}
+
+// Stretches of the walk lie beside each other, which is no blur that an outline tells: what it does to a diameter is
+// not known, and the interval says so.
+TEST(BlurredMap, StretchesBesideEachOtherWidenTheIntervals) {
+  ErrorsOfStand sharp, doubled;
+  for (const unsigned seed : {1U, 2U}) {
+    const auto as_it_is = blurred_stand(0, seed), shifted = blurred_stand(0.03, seed, 12);
+    sharp += errors_of(as_it_is, measure(as_it_is, thin_beam()));
+    doubled += errors_of(shifted, measure(shifted, thin_beam()));
+  }
+  EXPECT_EQ(sharp.widened, 0);
+  EXPECT_GE(sharp.held, 15);
+  EXPECT_GE(doubled.found, 14);
+  EXPECT_GE(doubled.held, doubled.found - 1);
+  EXPECT_GE(doubled.widened, doubled.found / 2);
 }
 
 }  // namespace

@@ -55,6 +55,17 @@ double blurred_views_sd(double view_sd_m) {
   return std::min(max_sd_m, share * std::sqrt(std::max(0.0, excess2)));
 }
 
+// Points scatter about the bark by what the ranges of the sensor do, in good maps by up to a third more, and by the
+// blur that outlines tell and fits take into account. Where most stems of a map scatter by more, passes and sweeps lie
+// beside each other, and bark that is drawn from several places is fitted too thick by an amount that no stem tells.
+// Read off the map of `forest` of plot2 1 at 5 Hz (docs/dev/diameters.md, "Blurred maps").
+double scattered_poses_sd(double sigma_m, const ProjectPriors& priors, double range_noise_m) {
+  constexpr double usual_share = 1.33, radius_share = 0.75;
+  const double usual = std::hypot(usual_share * range_noise_m, priors.blur.mean_m);
+  if (priors.noise_m <= usual || sigma_m <= usual) return 0;
+  return radius_share * std::sqrt(sigma_m * sigma_m - usual * usual);
+}
+
 // Without rays a wide beam and noise across the bark make circles too wide, by more where points scatter more.
 double unknown_beam_sd(double sigma_m) { return 0.12 * sigma_m; }
 
@@ -377,13 +388,17 @@ Stem StemFitter::describe(const Attempt& a, const CylinderFit& fit, const AxisLi
                                                     unknown_beam_sd(fit.sigma_m)),
                sd = std::hypot(fit.radius_sd_m, shared, unseen),
                half = std::hypot(student_975(std::max(2.0, fit.blocks - 4.0)) * sd, shrink);
+  s.sigma_m = 1.4826 * upper_median(errors);
   s.edges_m = fit.along_rays ? 0 : unknown_edges_m(fit.sigma_m, covered_arc_rad(angles));
   s.lobes_m = fit.along_rays ? lobes_m(fit.noise_m, priors_.noise_m) : 0;
-  s.radius_low = std::max(0.0, s.radius - half - s.edges_m), s.radius_high = s.radius + half + s.lobes_m;
+  const double range_noise = options_.range_noise.value_or(assumed_range_noise),
+               of_poses = s.rays_known ? 1.96 * scattered_poses_sd(s.sigma_m, priors_, range_noise) : 0;
+  s.poses_m = std::hypot(half, of_poses) - half;
+  s.radius_low = std::max(0.0, s.radius - half - s.poses_m - s.edges_m),
+  s.radius_high = s.radius + half + s.poses_m + s.lobes_m;
   s.inside_share = on + inside > 0 ? static_cast<double>(inside) / (on + inside) : 1;
   s.contrast = density.contrast();
-  s.inliers = on, s.arc_rad = covered_arc_rad(angles), s.unbroken_arc_rad = unbroken_arc_rad(angles),
-  s.sigma_m = 1.4826 * upper_median(errors);
+  s.inliers = on, s.arc_rad = covered_arc_rad(angles), s.unbroken_arc_rad = unbroken_arc_rad(angles);
   s.wall_m = spread_of(unaligned);
   if (const auto contour = fit_contour(outline, s.radius)) s.girth_m = contour->girth_m, s.ovality = contour->ovality;
   s.lowest = std::numeric_limits<double>::infinity(), s.highest = -s.lowest;

@@ -60,6 +60,7 @@ struct Stem {
   double unbroken_arc_rad = 0;  // longest part of the circle without a gap
   double lobes_m = 0;           // how far the bark strays from its circle beyond what ranges scatter; in radius_high
   double edges_m = 0;           // by so much the radius can be too large for a beam that nobody knows; in radius_low
+  double poses_m = 0;           // by so much poses that scatter widen the interval of the radius, to either side
   double pass_spread_m = 0;
   double inside_share = 0;      // points well inside the stem, of all on and in it
   double contrary_arc_rad = 0;  // where points lie well inside and hardly any on the circle: it does not hold there

@@ -51,7 +51,9 @@ void judge(Stem& s, double breast_height_m) {
   int sparse = 0;             // how little is known of its diameter
   const auto fault = [&](int weight, Reason why) { doubts += weight, s.reasons.push_back(std::move(why)); };
   const auto blur = [&](int weight, Reason why) { blurs += weight, s.reasons.push_back(std::move(why)); };
-  const double half_cm = 200 * (s.radius_high - s.lobes_m - s.radius), arc_deg = s.arc_rad * deg_per_rad;
+  // Poses that scatter say nothing against a stem.
+  const double poses_cm = 200 * s.poses_m, half_cm = 200 * (s.radius_high - s.lobes_m - s.radius) - poses_cm,
+               arc_deg = s.arc_rad * deg_per_rad;
   const bool beam_matters = 200 * s.edges_m > std::max(1.0, 8 * s.radius);
   if (arc_deg < 150)
     fault(arc_deg < 100 ? 2 : 1, {StemReason::short_arc, {arc_deg}});
@@ -62,8 +64,8 @@ void judge(Stem& s, double breast_height_m) {
   const Reason wide(StemReason::wide_interval, {100 * (s.radius_high - s.radius_low)});
   if (half_cm > std::max(1.0, 16 * s.radius))
     blur(half_cm > std::max(2.0, 32 * s.radius) ? 2 : 1, wide);
-  else if (half_cm > std::max(1.0, 8 * s.radius) || beam_matters) {  // no reason to give the stem up
-    ++sparse;
+  else if (half_cm + poses_cm > std::max(1.0, 8 * s.radius) || beam_matters) {  // no reason to give the stem up
+    sparse += half_cm + poses_cm > std::max(1.0, 16 * s.radius) ? 2 : 1;
     s.reasons.push_back(wide);
   }
   if (const int each = s.inliers / std::max(1, s.sections_used);
@@ -117,7 +119,7 @@ std::optional<std::string> objection(const Stem& s, const MeasureOptions& option
   if (s.inside_share > 0.5)
     return fmt::format("{:.0f} % of its points lie inside the circle: not a surface", 100 * s.inside_share);
   if (s.doubts >= max_doubts) return "too doubtful: " + joined(s.reasons);
-  if (2 * (s.radius_high - s.lobes_m - s.radius) > 1.2 * s.radius)
+  if (2 * (s.radius_high - s.lobes_m - s.poses_m - s.radius) > 1.2 * s.radius)
     return fmt::format("the diameter is uncertain by more than half of it ({:.0f} to {:.0f} cm)", 200 * s.radius_low,
                        200 * s.radius_high);
   return std::nullopt;
