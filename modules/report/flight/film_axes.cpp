@@ -11,6 +11,14 @@ namespace {
 
 constexpr double far_m = 1000;  // leaves the survey no depth to be drawn in
 
+// x and y of all points that are numbers.
+Eigen::AlignedBox2d plan_box(const PointCloud& cloud) {
+  Eigen::AlignedBox2d box;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (const Eigen::Vector3d p = cloud.position(i); p.allFinite()) box.extend(Eigen::Vector2d(p.head<2>()));
+  return box;
+}
+
 // 0 where one of them is nowhere.
 double apart_m(const Eigen::AlignedBox2d& a, const Eigen::AlignedBox2d& b) {
   return a.isEmpty() || b.isEmpty() ? 0 : a.exteriorDistance(b);
@@ -23,13 +31,6 @@ const GoesWith* first_far(const Eigen::AlignedBox2d& points, const std::vector<G
 }
 
 }  // namespace
-
-Eigen::AlignedBox2d plan_box(const PointCloud& cloud) {
-  Eigen::AlignedBox2d box;
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    if (const Eigen::Vector3d p = cloud.position(i); p.allFinite()) box.extend(Eigen::Vector2d(p.head<2>()));
-  return box;
-}
 
 FilmCloud in_common_axes(const PointCloud& points, const std::vector<GoesWith>& company, const Run& run) {
   if (const auto before = local_axes_of(points); before && !company.empty()) {

@@ -31,7 +31,4 @@ FilmCloud in_common_axes(const PointCloud& points, const std::vector<GoesWith>& 
 // A cloud that is drawn beside them. Throws Error{bad_input} where it lies far away.
 PointCloud in_axes_of(const FilmCloud& film, const PointCloud& beside, const Run& run);
 
-// x and y of all points that are numbers.
-Eigen::AlignedBox2d plan_box(const PointCloud& cloud);
-
 }  // namespace bole::report
