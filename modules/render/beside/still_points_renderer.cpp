@@ -110,18 +110,23 @@ void StillPointsRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* t
     Superclass::DeviceRenderOpaqueGeometry(target);
     return;
   }
-  if (auto now = eye(); still_holds(clouds, now)) {
+  auto now = eye();
+  const bool holds = still_holds(clouds, now);
+  if (holds)
     put_back();
-  } else {
+  else
     forget();
-    eye_ = std::move(now);
-  }
   if (add_missing(clouds)) {
     ++drawn_;
     refused_ = !put_aside();
-    if (refused_) forget();
-  } else {
+    if (refused_)
+      forget();
+    else
+      eye_ = std::move(now);
+  } else if (holds) {
     ++reused_;
+  } else {
+    forget();  // no points: there is no picture of them
   }
   for (auto* p : others) NumberOfPropsRendered += p->RenderOpaqueGeometry(this);
 }

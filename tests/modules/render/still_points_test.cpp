@@ -122,5 +122,23 @@ TEST_F(StillPoints, WhatChangesIsDrawnAnew) {
   EXPECT_EQ(renderer_->frames_drawn(), drawn + 1);
 }
 
+// Without points there is no picture to come back to, neither at first nor that of another eye.
+TEST_F(StillPoints, NoPointsLeaveNoPicture) {
+  show(0);
+  const auto empty = frame();
+  EXPECT_EQ(frame(), empty);
+  show(3);
+  EXPECT_NE(frame(), empty);
+  show(0);
+  renderer_->GetActiveCamera()->Azimuth(20);
+  EXPECT_EQ(frame(), empty);
+  EXPECT_EQ(frame(), empty);
+  EXPECT_EQ(renderer_->frames_from_kept(), 0U);
+  show(3);
+  const auto all = frame();
+  EXPECT_NE(all, empty);
+  EXPECT_EQ(frame(), all);
+}
+
 }  // namespace
 }  // namespace bole::render
