@@ -308,7 +308,6 @@ class LanguageTest : public QObject {
     furniture.width_mm = 200;
     furniture.height_mm = 150;
     furniture.mm_per_metre = 5;
-    furniture.grid_step_m = 2;
     furniture.paint = render::PointPaint();
     furniture.paint->title = "tree id";
     furniture.tree_legend = true;
@@ -319,7 +318,15 @@ class LanguageTest : public QObject {
       furniture.trees[static_cast<std::size_t>(k)].state =
           std::array{"", "accepted", "rejected"}[static_cast<std::size_t>(k)];
     }
-    for (auto& patch : render::furniture_patches(furniture)) figures.push_back(patch.figure);
+    for (const double contour_step_m : {0.0, 0.5}) {
+      furniture.contour_step_m = contour_step_m;
+      for (const bool perspective : {true, false})
+        for (const double grid_step_m : {0.0, 2.0}) {
+          furniture.perspective = perspective;
+          furniture.grid_step_m = grid_step_m;
+          for (auto& patch : render::furniture_patches(furniture)) figures.push_back(patch.figure);
+        }
+    }
     for (const auto& figure : figures) render::screen_overlay(figure, 96, listening);
     QVERIFY2(english.isEmpty(), qPrintable("translate in app/desktop/i18n/figures_zh_CN.ts:\n" + english.join('\n')));
     QCOMPARE(QString::fromStdString(look.words("n 12   bias -0.20 cm   RMSE 0.41 cm")),

@@ -1,6 +1,9 @@
 // Drives the 3-D view of the real window: thinned first pictures, clip box and heights, measuring, rows, figures.
+#include <vtkActor.h>
+#include <vtkMapper.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
+#include <vtkPlaneCollection.h>
 #include <vtkSmartPointer.h>
 
 #include <QAction>
@@ -311,6 +314,29 @@ class SceneTest : public QObject {
     QCOMPARE(s.settings().point_size_px, 3.0);
     trigger("view.smaller_points");
     trigger("view.grid");
+  }
+
+  void the_terrain_is_a_surface_with_contour_lines() {
+    auto& s = scene();
+    const auto plain = s.grabFramebuffer();
+    auto* box = window_->findChild<QCheckBox*>("view_terrain");
+    QVERIFY(s.survey().terrain && box->isEnabled() && !box->isChecked());
+    trigger("view.terrain");
+    settle();
+    QVERIFY(box->isChecked());
+    const auto actors = s.terrain_layer().actors();
+    QVERIFY(!actors.empty());
+    QVERIFY(s.grabFramebuffer() != plain);
+    picture("terrain");
+    window_->selection().select(5);  // neither a selection nor an edit makes it anew
+    s.show_survey(s.survey());
+    QCOMPARE(s.terrain_layer().actors(), actors);
+    trigger("view.clip_box");
+    QCOMPARE(actors.front()->GetMapper()->GetClippingPlanes()->GetNumberOfItems(), 6);
+    trigger("view.clip_box");
+    window_->selection().select({});
+    box->setChecked(false);
+    QVERIFY(s.terrain_layer().actors().empty() && s.terrain_layer().contour_step_m() == 0);
   }
 
   void distances_and_rings_are_measured_and_kept() {

@@ -1848,6 +1848,14 @@
             <translation>色带</translation>
         </message>
         <message>
+            <source>Terrain with contour lines</source>
+            <translation>地形与等高线</translation>
+        </message>
+        <message>
+            <source>The terrain model as a surface, with the tints of the report; holes stay open. Over a map that follows the terrain, the contour lines alone</source>
+            <translation>以曲面显示地形模型,配色与报告一致;空缺处不填补。底图贴合地形时只显示等高线</translation>
+        </message>
+        <message>
             <source>Map behind</source>
             <translation>底图</translation>
         </message>
@@ -2274,6 +2282,14 @@
         <message>
             <source>Open a scan or a point cloud first.</source>
             <translation>请先打开扫描或点云。</translation>
+        </message>
+        <message>
+            <source>Terrain with contour lines</source>
+            <translation>地形与等高线</translation>
+        </message>
+        <message>
+            <source>The survey has no terrain model yet.</source>
+            <translation>该调查数据还没有地形模型。</translation>
         </message>
         <message>
             <source>Tree numbers</source>

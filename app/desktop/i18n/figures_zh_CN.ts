@@ -120,6 +120,22 @@
             <translation>格网 %1 m</translation>
         </message>
         <message>
+            <source>at the centre, contour lines %1 m</source>
+            <translation>视图中心处，等高距 %1 m</translation>
+        </message>
+        <message>
+            <source>at the centre, grid %1 m, contour lines %2 m</source>
+            <translation>视图中心处，格网 %1 m，等高距 %2 m</translation>
+        </message>
+        <message>
+            <source>grid %1 m, contour lines %2 m</source>
+            <translation>格网 %1 m，等高距 %2 m</translation>
+        </message>
+        <message>
+            <source>contour lines %1 m</source>
+            <translation>等高距 %1 m</translation>
+        </message>
+        <message>
             <source>height above ground (m)</source>
             <translation>离地高度 (m)</translation>
         </message>

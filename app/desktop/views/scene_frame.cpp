@@ -162,6 +162,7 @@ void SceneView::place_furniture() {
   if (settings_.scale_bar && has_survey() && half_m > 0) f.mm_per_metre = f.height_mm / 2 / half_m;
   f.perspective = camera->GetParallelProjection() == 0;
   f.grid_step_m = grid_step_m_;
+  f.contour_step_m = terrain_.contour_step_m();
   f.north_rad = north_on_screen_rad(camera, north());
   f.north = settings_.north && north_known();
   for (const auto& fact : facts_) f.notes.push_back(fact.toStdString());

@@ -133,7 +133,7 @@ void SceneView::rebuild() {
     add(render::path_actor(*survey_.walk, origin_, 0.05,
                            look_.dark ? render::on_dark(render::ink::path) : render::hex(0x1f6f9f)));
   take_trees();
-  clip_stems();
+  draw_terrain();
   rebuild_grid();
   draw_highlight();
   draw_cameras();
@@ -144,6 +144,7 @@ void SceneView::set_map(std::shared_ptr<const SceneMap> map) {
   if (map == map_.map()) return;
   map_.set(std::move(map));
   draw_map();
+  draw_terrain();
   redraw();
   Q_EMIT map_changed();
   Q_EMIT settings_changed();
@@ -152,6 +153,12 @@ void SceneView::set_map(std::shared_ptr<const SceneMap> map) {
 void SceneView::draw_map() {
   if (!settings_.map || !has_survey()) return map_.hide();
   map_.draw(origin_, whole_.lo.z(), settings_.map_on_terrain ? survey_.terrain.get() : nullptr, settings_.map_opacity);
+}
+
+void SceneView::draw_terrain() {
+  const bool below_a_map = map() && settings_.map && settings_.map_on_terrain;
+  terrain_.draw(settings_.terrain ? survey_.terrain : nullptr, origin_, below_a_map);
+  clip_solids();
 }
 
 Eigen::Vector2d SceneView::north() const { return map() ? map()->north : Eigen::Vector2d::UnitY(); }

@@ -63,8 +63,10 @@ void SceneView::add_trees(render::ViewFurniture& furniture, const render::PickVi
   furniture.tree_legend = settings_.legend;
 }
 
-void SceneView::clip_stems() {
-  for (const auto& actor : actors_) {
+void SceneView::clip_solids() {
+  auto solids = actors_;
+  solids.insert(solids.end(), terrain_.actors().begin(), terrain_.actors().end());
+  for (const auto& actor : solids) {
     auto* mapper = actor->GetMapper();
     mapper->RemoveAllClippingPlanes();
     if (!settings_.clip) continue;

@@ -27,6 +27,7 @@ SceneView::SceneView(Selection& selection, QWidget* parent)
       clouds_(renderer_),
       cameras_(renderer_),
       map_(renderer_),
+      terrain_(renderer_),
       pace_(target_s) {
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   window->SetMultiSamples(0);
@@ -46,7 +47,7 @@ SceneView::SceneView(Selection& selection, QWidget* parent)
     settings_.clip = box;
     layer_.set_clip(box);
     clouds_.set_clip(box);
-    clip_stems();
+    clip_solids();
     begin_motion();
     Q_EMIT settings_changed();
   });
@@ -164,13 +165,14 @@ void SceneView::set_settings(const ViewSettings& settings) {
     repaint_points();
   if (!same(before.filter.height, settings_.filter.height)) layer_.set_filter(settings_.filter);
   layer_.set_clip(settings_.clip);
-  clip_stems();
+  clip_solids();
   dress_clouds();
   if (clip_handles_->shown()) show_clip_handles(settings_.clip.has_value());
   if (before.grid != settings_.grid) rebuild_grid();
   if (before.map != settings_.map || before.map_opacity != settings_.map_opacity ||
       before.map_on_terrain != settings_.map_on_terrain)
     draw_map();
+  draw_terrain();
   redraw();
 }
 

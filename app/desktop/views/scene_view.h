@@ -28,6 +28,7 @@
 #include "views/clouds/cloud_layers.h"
 #include "views/frame_pace.h"
 #include "views/map/map_layer.h"
+#include "views/map/terrain_layer.h"
 #include "views/scene_drawing.h"
 #include "views/scene_outline.h"
 #include "views/view_point.h"
@@ -133,6 +134,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   const std::shared_ptr<const SceneMap>& map() const { return map_.map(); }
   const std::optional<render::PlacedPicture>& map_shown() const { return map_.shown(); }
   Eigen::Vector2d north() const;  // unit, world x and y: that of the map, else the y axis
+  const TerrainLayer& terrain_layer() const { return terrain_; }
 
   std::optional<SceneEye> eye();  // none of a parallel view
   // A picture of what is seen from the eye, over the points until the eye moves.
@@ -205,11 +207,12 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void repaint_points();
   void take_trees();
   void add_trees(render::ViewFurniture& furniture, const render::PickView& view, double sheet_mm_per_px);
-  void clip_stems();
+  void clip_solids();
   bool sees_stem(const Eigen::Vector2d& from, const render::StemShape& stem) const;
   void measure_extent();
   void draw_cameras();
   void draw_map();
+  void draw_terrain();
   std::optional<render::ClipBox> all_of_it() const;
   void rebuild_grid();
   void draw_highlight();
@@ -273,6 +276,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   std::vector<std::uint32_t> marked_points_;  // of the survey
   CameraLayer cameras_;
   MapLayer map_;
+  TerrainLayer terrain_;
   Eigen::Vector3d eye_ = Eigen::Vector3d::Zero();  // where look_along() put the camera
   std::vector<double> last_eye_;                   // of the last frame: place, direction, angle and size
   std::vector<double> clipped_eye_;                // that the clipping planes are for

@@ -17,6 +17,7 @@ struct ViewSettings {
   double point_size_px = 2;
   bool eye_dome = false;  // shading of the picture at rest
   bool grid = false;
+  bool terrain = false;  // as a surface with contour lines
   bool legend = true, scale_bar = true, north = true;
   bool trees = true;  // their numbers, with symbols for quality and decisions
   bool map = true;    // behind the survey, where there is one

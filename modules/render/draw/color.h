@@ -34,6 +34,7 @@ inline constexpr Color poor = hex(0xb93a32);     // red
 inline constexpr Color primary = hex(0x1f5f8b);  // blue
 inline constexpr Color accent = hex(0xd1495b);   // crimson
 inline constexpr Color path = hex(0x4a90b8);     // the walk
+inline constexpr Color contour = hex(0x6b4a2f);  // lines of equal height of the terrain
 }  // namespace ink
 
 // Colour of a quality word ("good", "fair", "poor"); muted for any other.

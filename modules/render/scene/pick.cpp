@@ -113,12 +113,26 @@ void add_near(const PickView& view, const PointCloud& cloud, std::span<const std
   }
 }
 
+// The least that NearPoint::w can be of points in a box: it is linear in the place, so a corner has it.
+double nearest_of(const PickView& view, const Eigen::AlignedBox3d& box) {
+  double nearest = std::numeric_limits<double>::infinity();
+  if (box.isEmpty()) return -nearest;
+  const Eigen::RowVector4d w = view.world_to_clip.row(2) + view.world_to_clip.row(3);
+  for (int corner = 0; corner < 8; ++corner) {
+    const Eigen::Vector3d at = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)) - view.origin;
+    nearest = std::min<double>(nearest, w * at.homogeneous());
+  }
+  return nearest;
+}
+
+double reach_of_surface(double front) { return front + same_depth * std::abs(front); }
+
 const NearPoint* best_of(const std::vector<NearPoint>& near) {
   if (near.empty()) return nullptr;
   const auto front = std::ranges::min_element(near, {}, &NearPoint::w);
   auto best = front;
   for (auto n = near.begin(); n != near.end(); ++n)
-    if (n->w <= front->w + same_depth * std::abs(front->w) && n->px < best->px) best = n;
+    if (n->w <= reach_of_surface(front->w) && n->px < best->px) best = n;
   return &*best;
 }
 
@@ -135,9 +149,18 @@ std::optional<std::uint32_t> pick_point(const PickView& view, const PointCloud& 
 
 std::optional<PickedPoint> pick_point(const PickView& view, const std::vector<PointSet>& drawn,
                                       const Eigen::Vector2d& at_px, double reach_px) {
+  // The foremost sets first: most of the others lie behind a point that was found.
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t k = 0; k < drawn.size(); ++k) order.emplace_back(nearest_of(view, drawn[k].box), k);
+  std::ranges::sort(order);
   std::vector<NearPoint> near;
-  for (std::size_t k = 0; k < drawn.size(); ++k)
+  double front = std::numeric_limits<double>::infinity();
+  for (const auto& [nearest, k] : order) {
+    if (nearest > reach_of_surface(front)) break;
+    const std::size_t before = near.size();
     add_near(view, *drawn[k].cloud, drawn[k].indices, at_px, reach_px, k, near);
+    for (std::size_t i = before; i < near.size(); ++i) front = std::min(front, near[i].w);
+  }
   const auto* best = best_of(near);
   return best == nullptr ? std::nullopt : std::optional(PickedPoint{drawn[best->set].cloud, best->index});
 }

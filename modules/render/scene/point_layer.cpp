@@ -189,7 +189,7 @@ std::vector<PointSet> PointLayer::drawn_near(const PickView& view, const Eigen::
     if (tile.last_use != frame_ || tile.indices.empty() || !may_be_near(view, tile.box, at_px, reach_px)) continue;
     const auto cloud = nodes_->cloud_of(i);
     if (!cloud) continue;
-    if (drawn.empty() || drawn.back().cloud != cloud) drawn.push_back({cloud, {}});
+    drawn.push_back({cloud, {}, tile.box});
     std::ranges::copy_if(tile.indices, std::back_inserter(drawn.back().indices),
                          [&](auto index) { return !clip_ || clip_->contains(cloud->position(index)); });
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -25,6 +26,7 @@ struct OctreeView {
 struct PointSet {
   std::shared_ptr<const PointCloud> cloud;  // null: none, or not here yet
   std::vector<std::uint32_t> indices;
+  Eigen::AlignedBox3d box{};  // around them, world axes; empty: not known
 };
 
 class PointNodes {

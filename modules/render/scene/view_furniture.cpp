@@ -60,7 +60,8 @@ FurniturePatch color_note(const ViewFurniture& f, const PointPaint& paint) {
 FurniturePatch scale_bar(const ViewFurniture& f) {
   const double metres = scale_bar_length_m(f.mm_per_metre, bar_mm);
   std::string said = f.perspective ? "at the centre" : "";
-  if (f.grid_step_m > 0) said += fmt::format("{}grid {:g} m", said.empty() ? "" : ", ", f.grid_step_m);
+  for (const auto& [what, step_m] : {std::pair{"grid", f.grid_step_m}, {"contour lines", f.contour_step_m}})
+    if (step_m > 0) said += fmt::format("{}{} {:g} m", said.empty() ? "" : ", ", what, step_m);
   // A bar that is hardly longer looks the same.
   const double per_metre = std::round(f.mm_per_metre * metres * 4) / 4 / metres;
   return patch(fmt::format("scale {:g} {:.2f} {}", metres, per_metre * metres, said),

@@ -19,6 +19,7 @@ struct ViewFurniture {
   double mm_per_metre = 0;                 // at the middle of the view; 0: no scale bar
   bool perspective = true;                 // said beside the bar: it holds at the middle only
   double grid_step_m = 0;                  // said beside the bar; 0: no grid
+  double contour_step_m = 0;               // said there too; 0: no contour lines
   bool north = true;                       // an arrow, where y points north
   double north_rad = 0;                    // where north points on the screen, counter-clockwise from up
   std::vector<std::string> notes;          // lines in the upper left corner

@@ -228,6 +228,12 @@ class MapBehindTest : public QObject {
     const auto& places = scene().map_shown()->places;
     QVERIFY(!places.behind_all && places.columns > 10);
     for (const auto& p : places.at) QVERIFY(std::abs(p.z() - 0.01) < 0.08);  // flat ground, and a little below it
+    window_->commands().trigger("view.terrain");
+    const auto lines = scene().terrain_layer().actors().size();  // does not hide the map
+    over->setChecked(false);
+    QCOMPARE(scene().terrain_layer().actors().size(), lines + 1);
+    over->setChecked(true);
+    window_->commands().trigger("view.terrain");
     QVERIFY(content(at("placed.map.json")).contains("\"on_terrain\": true"));
     open_window("placed.json");
     QTRY_VERIFY_WITH_TIMEOUT(scene().map() != nullptr, 20000);

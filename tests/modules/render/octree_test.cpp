@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <memory>
 #include <numeric>
 #include <random>
 #include <set>
@@ -180,6 +182,49 @@ TEST(Pick, TakesTheForemostPoint) {
   const auto foot = on_plane(pick, {105, 100}, 5);
   ASSERT_TRUE(foot);
   EXPECT_NEAR((*foot - cloud.position(2)).norm(), 0, 1e-6);
+}
+
+// A pinhole 30 m south of the posts and 2 m above the floor, looking north.
+PickView from_the_south(const Eigen::Vector3d& origin) {
+  constexpr double near = 0.5, far = 80, tan_half = 0.4;
+  Eigen::Matrix4d eye = Eigen::Matrix4d::Identity(), lens = Eigen::Matrix4d::Zero();
+  eye.topLeftCorner<3, 3>() << 1, 0, 0, 0, 0, 1, 0, -1, 0;  // right, up, back
+  eye.topRightCorner<3, 1>() = -eye.topLeftCorner<3, 3>() * Eigen::Vector3d(10, -20, 2);
+  lens(0, 0) = lens(1, 1) = 1 / tan_half;
+  lens(2, 2) = -(far + near) / (far - near), lens(2, 3) = -2 * far * near / (far - near);
+  lens(3, 2) = -1;
+  return {lens * eye, origin, 200, 200};
+}
+
+// Looking into the foremost sets only finds what looking into all of them does.
+TEST(Pick, OfManySetsIsThatOfAllTheirPoints) {
+  const auto cloud = std::make_shared<const PointCloud>(floor_with_posts(40'000));
+  std::map<std::pair<int, int>, PointSet> tiles;
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t i = 0; i < cloud->size(); ++i) {
+    const auto& p = cloud->positions()[i];
+    auto& tile = tiles[{static_cast<int>(p.x() / 2), static_cast<int>(p.y() / 2)}];
+    tile.cloud = cloud;
+    tile.indices.push_back(i);
+    tile.box.extend(cloud->position(i));
+    all.push_back(i);
+  }
+  std::vector<PointSet> sets;
+  for (auto& [place, tile] : tiles) sets.push_back(tile);
+  sets[7].box.setEmpty();  // not known
+  int found = 0;
+  const PickView parallel{from_above(10, 200).world_to_clip, cloud->origin, 200, 200};
+  for (const auto& view : {from_the_south(cloud->origin), parallel})
+    for (double x = 3; x < 200; x += 7)
+      for (double y = 3; y < 200; y += 7) {
+        const auto whole = pick_point(view, *cloud, all, {x, y}, 3);
+        const auto parts = pick_point(view, sets, {x, y}, 3);
+        ASSERT_EQ(whole.has_value(), parts.has_value()) << x << ' ' << y;
+        if (!whole) continue;
+        EXPECT_EQ(*whole, parts->index) << x << ' ' << y;
+        ++found;
+      }
+  EXPECT_GT(found, 600);
 }
 
 TEST(Pick, FindsAStemByItsRadius) {

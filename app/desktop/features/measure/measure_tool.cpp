@@ -184,9 +184,9 @@ void MeasureTool::fit_ring(render::Measurement& ring) const {
   if (!cloud_there || !index || !drawn) return;
   const double reach = 1.3 * drawn->radius_m + start_error_m;
   const Eigen::Vector3d centre(drawn->centre.x(), drawn->centre.y(), drawn->z_m), half(reach, reach, slice_half_m);
-  const auto [points, found_there] = index->points_at_once(cloud_there, centre - half, centre + half);
-  const auto& cloud = *points;
-  auto found = found_there;
+  const auto there = index->points_at_once(cloud_there, centre - half, centre + half);
+  const auto& cloud = *there.cloud;
+  auto found = there.indices;
   std::ranges::sort(found);
   const std::size_t step = std::max<std::size_t>(1, found.size() / max_points);
   std::vector<Eigen::Vector2d> near;

@@ -171,6 +171,9 @@ void ViewPanel::make_switches(QFormLayout* form) {
             [this, member = members[k]](bool on) { change([=](auto& s) { s.*member = on; }); });
     form->addRow(switches_[k]);
   }
+  terrain_ = check("view_terrain", tr("Terrain with contour lines"), {});
+  connect(terrain_, &QCheckBox::toggled, this, [this](bool on) { change([on](auto& s) { s.terrain = on; }); });
+  form->addRow(terrain_);
   make_map_row(form);
 }
 
@@ -186,6 +189,16 @@ void ViewPanel::make_map_row(QFormLayout* form) {
   connect(on_terrain_, &QCheckBox::toggled, this,
           [this](bool on) { change([on](auto& s) { s.map_on_terrain = on; }); });
   form->addRow(on_terrain_);
+}
+
+void ViewPanel::show_terrain() {
+  const bool there = scene_.survey().terrain != nullptr;
+  terrain_->setEnabled(there);
+  terrain_->setChecked(there && scene_.settings().terrain);
+  terrain_->setToolTip(
+      there ? tr("The terrain model as a surface, with the tints of the report; holes stay open. Over a map that "
+                 "follows the terrain, the contour lines alone")
+            : tr("The survey has no terrain model yet."));
 }
 
 // Without a map there is nothing to set.
@@ -272,6 +285,7 @@ void ViewPanel::show_state() {
   const bool on[] = {s.eye_dome, s.grid, s.legend, s.scale_bar, s.north, s.trees};
   for (std::size_t k = 0; k < switches_.size(); ++k) switches_[k]->setChecked(on[k]);
   show_north();
+  show_terrain();
   show_map();
   following_ = false;
 }

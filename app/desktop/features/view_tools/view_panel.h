@@ -33,6 +33,7 @@ class ViewPanel : public QWidget {
   void make_map_row(QFormLayout* form);
   void show_north();
   void show_map();
+  void show_terrain();
   void take_range();
   void take_heights(double lo, double hi);
   void take_clip();
@@ -47,6 +48,7 @@ class ViewPanel : public QWidget {
   QCheckBox *clip_, *handles_;
   std::array<QDoubleSpinBox*, 6> box_{};  // west, east, south, north, foot, top
   QComboBox* map_ = nullptr;
+  QCheckBox* terrain_ = nullptr;
   QCheckBox *ground_ = nullptr, *on_terrain_ = nullptr;  // the map behind
   QDoubleSpinBox* ground_opacity_ = nullptr;
   static constexpr std::size_t north_switch = 4;

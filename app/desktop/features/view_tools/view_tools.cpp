@@ -80,10 +80,24 @@ void add_switch(Workbench& bench, const char* id, const QString& text, const QKe
        .checked_when = [&scene, member] { return scene.settings().*member; }});
 }
 
+void add_terrain_switch(Workbench& bench) {
+  auto& scene = bench.scene();
+  bench.commands().add(
+      {.id = "view.terrain",
+       .text = Workbench::tr("Terrain with contour lines"),
+       .key = QKeySequence("Shift+L"),
+       .places = {in_menu(Menu::view, look_section), in_tool_bar("view_bar", 1)},
+       .turn = [&scene](bool on) { change_settings(scene, [=](ViewSettings& settings) { settings.terrain = on; }); },
+       .enabled_when = {[&scene] { return scene.survey().terrain != nullptr; },
+                        Workbench::tr("The survey has no terrain model yet.")},
+       .checked_when = [&scene] { return scene.survey().terrain != nullptr && scene.settings().terrain; }});
+}
+
 void add_look_commands(Workbench& bench, ViewPanel* panel) {
   auto& scene = bench.scene();
   add_switch(bench, "view.eye_dome", Workbench::tr("Eye-dome shading"), Qt::Key_E, &ViewSettings::eye_dome);
   add_switch(bench, "view.grid", Workbench::tr("Grid in metres"), Qt::Key_G, &ViewSettings::grid);
+  add_terrain_switch(bench);
   add_switch(bench, "view.trees", Workbench::tr("Tree numbers"), Qt::Key_T, &ViewSettings::trees);
   bench.commands().add({.id = "view.clip_box",
                         .text = Workbench::tr("Clip box"),
