@@ -165,7 +165,6 @@ void SceneView::set_settings(const ViewSettings& settings) {
     repaint_points();
   if (!same(before.filter.height, settings_.filter.height)) layer_.set_filter(settings_.filter);
   layer_.set_clip(settings_.clip);
-  clip_solids();
   dress_clouds();
   if (clip_handles_->shown()) show_clip_handles(settings_.clip.has_value());
   if (before.grid != settings_.grid) rebuild_grid();

@@ -102,9 +102,11 @@ TerrainSurface terrain_surface(const Raster& terrain, const Eigen::Vector3d& ori
   if (!heights) return surface;
   surface.ground = ground_of(drawn, *heights, origin);
   if (!surface.ground) return surface;
-  surface.contour_step_m = heights->length() > 0 ? contour_step_m(*heights) : 0;
-  if (surface.contour_step_m > 0)
-    surface.contours = lines_of(contours(drawn, all_cells(drawn), *heights, surface.contour_step_m), origin);
+  const double step_m = contour_step_m(*heights);
+  const auto pieces = contours(drawn, all_cells(drawn), *heights, step_m);
+  if (pieces.empty()) return surface;  // as good as level
+  surface.contours = lines_of(pieces, origin);
+  surface.contour_step_m = step_m;
   return surface;
 }
 

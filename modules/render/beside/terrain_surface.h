@@ -11,8 +11,9 @@
 namespace bole::render {
 
 struct TerrainSurface {
-  vtkSmartPointer<vtkActor> ground, contours;  // null where the raster has no square of four values
-  double contour_step_m = 0;
+  vtkSmartPointer<vtkActor> ground;    // null where the raster has no square of four values
+  vtkSmartPointer<vtkActor> contours;  // null where it is as good as level
+  double contour_step_m = 0;           // 0: none
 };
 
 // Through the heights at the centres of cells, in the tints and with the shading of the terrain map of a report; holes

@@ -71,6 +71,7 @@ TEST(TerrainSurface, LevelAndEmptyTerrain) {
   std::ranges::fill(level.values, 3.0F);
   EXPECT_TRUE(terrain_surface(level, origin).ground);
   EXPECT_FALSE(terrain_surface(level, origin).contours);
+  EXPECT_EQ(terrain_surface(level, origin).contour_step_m, 0);
   level.at(3, 3) += 1e-6F;  // as good as level: no thousands of lines
   EXPECT_LE(contours(level, all_cells(level), *value_range(level, all_cells(level)),
                      contour_step_m(*value_range(level, all_cells(level))))
