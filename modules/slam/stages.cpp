@@ -47,7 +47,7 @@ pipeline::StageType run_stage() {
        .kind = DataKind::table,
        .help = "Edges of the pose graph: information, residuals and weight.",
        .arrays = {}}};
-  type.version = 5;
+  type.version = 6;
   type.options = &option_table(static_cast<const SlamOptions*>(nullptr));
   type.in_force = [](const OptionSet& options) {
     const SlamOptions filled = filled_in(options.as<SlamOptions>());

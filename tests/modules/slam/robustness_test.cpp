@@ -174,6 +174,20 @@ TEST(Robustness, BentFramesOfAnAboutTurnAreFittedAnew) {
   EXPECT_LT(Eigen::AngleAxisd(turned.linear().transpose() * truth.linear()).angle(), 0.05);
 }
 
+// A motion that was found from frames before, or from the bent frame itself, does not tell that it is bent: what does
+// is that the carrier did not go on as before.
+TEST(Robustness, SwayIsFoundInFramesThatAreDeskewedTwice) {
+  const auto source = slow_scan(40, 1.5);
+  auto options = with_preset(Preset::orchard);
+  options.deskew = Deskew::twice;
+  options.loops = LoopSource::none;
+  options.dense_map = false;
+  const auto result = run_slam(source, options, {});
+  EXPECT_EQ(result.report.counts.at("frames"), 40) << testing::PrintToString(result.report.warnings);
+  EXPECT_GT(result.report.counts.at("frames_bent"), 20);
+  EXPECT_LT(worst_m(result.trajectory, source), 0.12);
+}
+
 TEST(Robustness, ASteepSlope) {
   auto world = synthetic::trunks(9, 3.5);
   // The same plot tilted by 25 deg about x, walked with the sensor upright.

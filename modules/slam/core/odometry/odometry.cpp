@@ -228,11 +228,11 @@ RegistrationSettings Odometry::base_settings() const {
 
 // Registers where the sensor is expected. Where that does not fit, or after a gap, searches everywhere the sensor can
 // have moved to.
-Registration Odometry::registered(const FrameMotion& guess, double begin_s, double end_s, const Features& features,
-                                  const Run& run) {
+Registration Odometry::registered(const FrameMotion& prediction, const FrameMotion& guess, double begin_s, double end_s,
+                                  const Features& features, const Run& run) {
   Registration r;
   if (begin_s - last_good().end_s <= max_join_s || can_be_followed(begin_s)) {
-    r = followed(guess, begin_s, end_s, features, run);
+    r = followed(prediction, guess, begin_s, end_s, features, run);
     if (r.overlap >= min_overlap()) return r;
   }
   Registration again = searched(begin_s, end_s, features, run);
@@ -257,8 +257,8 @@ Registration Odometry::searched(double begin_s, double end_s, const Features& fe
   return register_frame(features.query, local_map_.maps(), search.found.motion, settings, run);
 }
 
-Registration Odometry::followed(const FrameMotion& guess, double begin_s, double end_s, const Features& features,
-                                const Run& run) {
+Registration Odometry::followed(const FrameMotion& prediction, const FrameMotion& guess, double begin_s, double end_s,
+                                const Features& features, const Run& run) {
   RegistrationSettings settings = base_settings();
   if (elastic()) {
     settings.model = MotionModel::elastic;
@@ -293,7 +293,9 @@ Registration Odometry::followed(const FrameMotion& guess, double begin_s, double
   // The motion that de-skewed the frame was measured, and stays.
   if (settings_.first_guess == FirstGuess::matched_motion) return r;
   const FrameMotion found = with_speed_found(r.motion, begin_s, end_s);
-  if (settings_.deskew == Deskew::once && is_suspect(r, guess, found)) return unbent(r, found, guess, features, run);
+  // A frame that was de-skewed with a motion that was found hardly differs from it, and may be bent all the same: what
+  // tells is that the carrier did not go on as before.
+  if (is_suspect(r, prediction, found)) return unbent(r, found, prediction, features, run);
   r.motion = found;
   return r;
 }
@@ -459,7 +461,7 @@ bool Odometry::locate(TrackedFrame& frame, const Features& features, const Run& 
   Stopwatch watch;
   const FrameMotion guess = guessed(prediction, frame.begin_s, frame.end_s, features, run);
   times_.guess_s += watch.lap();
-  Registration r = registered(guess, frame.begin_s, frame.end_s, features, run);
+  Registration r = registered(prediction, guess, frame.begin_s, frame.end_s, features, run);
   times_.register_s += watch.lap();
   const auto seen = observability(features.query, local_map_.maps(), r.motion, base_settings(), run, std::move(r.met));
   auto open = open_motion(r, seen);

@@ -93,10 +93,10 @@ class Odometry {
   FrameMotion matched_motion(const FrameMotion& prediction, double begin_s, const Features& features, const Run& run);
   void remember_frame(const TrackedFrame& frame, const Features& features);
   FrameMotion motion_found(const FrameMotion& found, double begin_s, double end_s) const;
-  Registration registered(const FrameMotion& guess, double begin_s, double end_s, const Features& features,
-                          const Run& run);
-  Registration followed(const FrameMotion& guess, double begin_s, double end_s, const Features& features,
-                        const Run& run);
+  Registration registered(const FrameMotion& prediction, const FrameMotion& guess, double begin_s, double end_s,
+                          const Features& features, const Run& run);
+  Registration followed(const FrameMotion& prediction, const FrameMotion& guess, double begin_s, double end_s,
+                        const Features& features, const Run& run);
   Registration unbent(Registration r, const FrameMotion& found, const FrameMotion& assumed, const Features& features,
                       const Run& run);
   Registration searched(double begin_s, double end_s, const Features& features, const Run& run);

@@ -78,7 +78,7 @@ std::string Odometry::bridged_motion(Registration& r, const std::string& open, c
     return {};
   }
   determined_ = seen.determined(least);
-  r = followed(guess, frame.begin_s, frame.end_s, features, run);
+  r = followed(frame.motion, guess, frame.begin_s, frame.end_s, features, run);
   determined_.reset();
   found_state_ = found_state(r);
   frame.bridged = true;
