@@ -93,6 +93,7 @@ class Odometry {
   FrameMotion matched_motion(const FrameMotion& prediction, double begin_s, const Features& features, const Run& run);
   void remember_frame(const TrackedFrame& frame, const Features& features);
   FrameMotion motion_found(const FrameMotion& found, double begin_s, double end_s) const;
+  // `prediction`: as if the carrier went on as before; `guess`: where the registration begins, see guessed().
   Registration registered(const FrameMotion& prediction, const FrameMotion& guess, double begin_s, double end_s,
                           const Features& features, const Run& run);
   Registration followed(const FrameMotion& prediction, const FrameMotion& guess, double begin_s, double end_s,
