@@ -258,13 +258,14 @@ class SceneTest : public QObject {
     s.reset_camera();
     settle();
     const auto frames = [&] { return s.points_renderer().frames_drawn() + s.points_renderer().frames_from_kept(); };
-    const auto before = frames();
+    const auto before = frames(), solids = s.points_renderer().solids_from_kept();
     const auto& shapes = s.stem_shapes();
     const auto stem = std::ranges::find(shapes, 5, &bole::render::StemShape::tree_id);
     QVERIFY(stem != shapes.end());
     QTest::mouseClick(&s, Qt::LeftButton, {}, s.place_of(stem->breast_height));
     QVERIFY(window_->selection().tree());
     QCOMPARE(frames(), before + 1);  // with the stem, its handles and the point
+    QCOMPARE(s.points_renderer().solids_from_kept(), solids + 1);
     settle();
     const auto clicked = s.grabFramebuffer();
     s.draw_moving_frame();

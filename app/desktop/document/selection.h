@@ -21,6 +21,7 @@ class Selection : public QObject {
     Q_EMIT telling();
     Q_EMIT changed();
     Q_EMIT told();
+    Q_EMIT beside();
   }
 
   const std::optional<std::string>& row() const { return row_; }  // of plants
@@ -41,6 +42,7 @@ class Selection : public QObject {
   void changed();
   void telling();  // before and after all hear that it changed: views that many of these change draw once
   void told();
+  void beside();  // last: views of their own, which make their pictures while that of the 3-D view is on its way
   void row_changed();
   void view_changed();
 

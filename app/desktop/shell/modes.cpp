@@ -86,23 +86,23 @@ void apply_mode(MainWindow& window, const Mode& mode) {
   window.properties().set_tier(mode.tier);
 }
 
-QString saved_mode() { return QSettings().value("mode", shipped_modes().front().id).toString(); }
-
 void add_mode_commands(MainWindow& window) {
   window.commands().add_submenu(
       {.id = "mode.menu", .title = MainWindow::tr("Mode"), .place = in_menu(Menu::view, window_section)});
-  for (const auto& mode : shipped_modes())
-    window.commands().add({.id = "mode." + mode.id,
-                           .text = mode.title,
-                           .places = {in_submenu("mode.menu")},
-                           .turn =
-                               [w = &window, mode](bool) {
-                                 apply_mode(*w, mode);
-                                 QSettings().setValue("mode", mode.id);
-                               },
-                           .checked_when = [id = mode.id] { return saved_mode() == id; },
-                           .group = "mode",
-                           .tip = mode.help});
+  const auto modes = shipped_modes();
+  for (const auto& mode : modes)
+    window.commands().add(
+        {.id = "mode." + mode.id,
+         .text = mode.title,
+         .places = {in_submenu("mode.menu")},
+         .turn =
+             [w = &window, mode](bool) {
+               apply_mode(*w, mode);
+               QSettings().setValue("mode", mode.id);
+             },
+         .checked_when = [id = mode.id, first = modes.front().id] { return QSettings().value("mode", first) == id; },
+         .group = "mode",
+         .tip = mode.help});
 }
 
 }  // namespace bole::desktop

@@ -28,6 +28,5 @@ std::vector<Mode> parse_modes(const QByteArray& json, const QString& language);
 std::vector<Mode> shipped_modes();
 
 void apply_mode(MainWindow& window, const Mode& mode);
-QString saved_mode();  // its id; that of the first mode before one was chosen
 
 }  // namespace bole::desktop

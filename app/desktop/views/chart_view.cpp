@@ -29,7 +29,7 @@ ChartView::ChartView(Selection& selection, QWidget* parent)
   setMinimumSize(180, 110);
   for (const auto& chart : render::linked_charts()) charts_->addItem(chart_title(chart), to_qt(chart.id));
   connect(charts_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] { rebuild(); });
-  connect(&selection_, &Selection::changed, this, &ChartView::rebuild);
+  connect(&selection_, &Selection::beside, this, &ChartView::rebuild);
   connect(&selection_, &Selection::row_changed, this, [this] {
     if (selection_.row()) show_chart("plant_distances");
     rebuild();

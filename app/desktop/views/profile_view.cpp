@@ -13,7 +13,7 @@ namespace bole::desktop {
 ProfileView::ProfileView(Selection& selection, QWidget* parent) : QWidget(parent), selection_(selection) {
   setMinimumSize(120, 130);
   setCursor(Qt::SplitVCursor);
-  connect(&selection_, &Selection::changed, this, &ProfileView::follow_tree);
+  connect(&selection_, &Selection::beside, this, &ProfileView::follow_tree);
   connect(&selection_, &Selection::row_changed, this, &ProfileView::follow_row);
 }
 

@@ -4,6 +4,8 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,7 +27,13 @@ void SceneView::redraw() {
   if (holds_ > 0)
     frame_wanted_ = true;
   else if (isValid())
-    renderWindow()->Render();
+    draw_now();
+}
+
+// The driver begins at once, beside what other views have to do.
+void SceneView::draw_now() {
+  renderWindow()->Render();
+  if (auto* context = QOpenGLContext::currentContext()) context->functions()->glFlush();
 }
 
 // VTK draws frames of its own when a button is let go.

@@ -95,6 +95,7 @@ void SceneView::mark_points(const std::vector<std::uint32_t>& points) {
     marked_->GetMapper()->ScalarVisibilityOff();
     const render::Color orange = render::hex(0xff7a00);
     marked_->GetProperty()->SetColor(orange.r, orange.g, orange.b);
+    renderer_->draw_afresh(marked_);
     renderer_->AddActor(marked_);
   }
   Q_EMIT points_marked();
@@ -108,6 +109,7 @@ void SceneView::rebuild() {
   layer_.show(nullptr, origin_);
   for (const auto& actor : actors_) renderer_->RemoveActor(actor);
   actors_.clear();
+  path_ = nullptr;
   const auto add = [this](vtkSmartPointer<vtkActor> actor) {
     renderer_->AddActor(actor);
     actors_.push_back(std::move(actor));
@@ -129,15 +131,23 @@ void SceneView::rebuild() {
     add(render::stems_actor(shapes_, origin_, true));
     add(render::breast_height_actor(shapes_, origin_, 0.04));
   }
-  if (survey_.walk && survey_.walk->poses.size() > 1)
-    add(render::path_actor(*survey_.walk, origin_, 0.05,
-                           look_.dark ? render::on_dark(render::ink::path) : render::hex(0x1f6f9f)));
+  if (survey_.walk && survey_.walk->poses.size() > 1) {
+    path_ = render::path_actor(*survey_.walk, origin_, 0.05, {});
+    add(path_);
+  }
   take_trees();
   draw_terrain();
+  draw_in_theme();
+  draw_map();
+}
+
+// What has other colours on a dark ground.
+void SceneView::draw_in_theme() {
+  const render::Color walk = look_.dark ? render::on_dark(render::ink::path) : render::hex(0x1f6f9f);
+  if (path_) path_->GetProperty()->SetColor(walk.r, walk.g, walk.b);
   rebuild_grid();
   draw_highlight();
   draw_cameras();
-  draw_map();
 }
 
 void SceneView::set_map(std::shared_ptr<const SceneMap> map) {
@@ -242,6 +252,7 @@ void SceneView::draw_highlight() {
   highlight_->GetMapper()->ScalarVisibilityOff();
   const render::Color blue = look_.dark ? render::hex(0x5ab0ff) : render::hex(0x0073e6);
   highlight_->GetProperty()->SetColor(blue.r, blue.g, blue.b);
+  renderer_->draw_afresh(highlight_);
   renderer_->AddActor(highlight_);
 }
 

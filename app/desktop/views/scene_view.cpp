@@ -67,7 +67,10 @@ SceneView::SceneView(Selection& selection, QWidget* parent)
     draw_highlight();
     redraw();
   });
-  connect(&selection_, &Selection::telling, this, &SceneView::hold_frames);
+  connect(&selection_, &Selection::telling, this, [this] {
+    hold_frames();
+    click_.reset();  // its frame is that of what it selects
+  });
   connect(&selection_, &Selection::told, this, &SceneView::let_frames);
   connect(&selection_, &Selection::view_changed, this, [this] {
     draw_cameras();
@@ -88,10 +91,7 @@ void SceneView::follow_theme() {
   look_ = screen_look(palette());
   set_background(renderer_, look_.dark);
   furniture_.set_look(look_);
-  if (has_survey())
-    rebuild();
-  else
-    draw_cameras();
+  draw_in_theme();
   redraw();
 }
 

@@ -215,8 +215,10 @@ class SceneView : public QVTKOpenGLNativeWidget {
   void draw_terrain();
   std::optional<render::ClipBox> all_of_it() const;
   void rebuild_grid();
+  void draw_in_theme();
   void draw_highlight();
   void redraw();
+  void draw_now();
   void hold_frames();
   void note_frame_of_vtk() {
     frame_wanted_ = frame_wanted_ || holds_ > 0;
@@ -272,6 +274,7 @@ class SceneView : public QVTKOpenGLNativeWidget {
   vtkSmartPointer<MapStyle> style_;
   render::FurnitureLayer furniture_;
   std::vector<vtkSmartPointer<vtkActor>> actors_;
+  vtkSmartPointer<vtkActor> path_;  // of them
   vtkSmartPointer<vtkActor> highlight_, grid_, marked_;
   std::vector<std::uint32_t> marked_points_;  // of the survey
   CameraLayer cameras_;

@@ -53,7 +53,7 @@ SliceView::SliceView(Selection& selection, QWidget* parent)
     cut_.thickness_m = v;
     reload(true);
   });
-  connect(&selection_, &Selection::changed, this, [this] { reload(false); });
+  connect(&selection_, &Selection::beside, this, [this] { reload(false); });
 }
 
 void SliceView::show_survey(const Survey& survey) {

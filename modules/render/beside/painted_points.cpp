@@ -70,6 +70,12 @@ vtkSmartPointer<vtkActor> painted_points_actor(const PointCloud& cloud, std::spa
   return actor;
 }
 
+std::span<const float> drawn_at(vtkActor& actor) {
+  auto* points = vtkPolyData::SafeDownCast(actor.GetMapper()->GetInput())->GetPoints();
+  return {static_cast<const float*>(points->GetVoidPointer(0)),
+          static_cast<std::size_t>(3 * points->GetNumberOfPoints())};
+}
+
 void let_shine_through(vtkActor& actor, double opacity) {
   auto* shader = actor.GetShaderProperty();
   shader->ClearAllFragmentShaderReplacements();

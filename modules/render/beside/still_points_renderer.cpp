@@ -8,9 +8,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLRenderWindow.h>
-#include <vtkOpenGLState.h>
 #include <vtkProp.h>
-#include <vtk_glew.h>
 
 #include <algorithm>
 #include <utility>
@@ -20,19 +18,34 @@ namespace {
 
 constexpr int max_pixels = 4096 * 2304;  // 72 MiB; a picture of more is drawn once
 
-// From the framebuffer that is read to the one that is drawn to, both of one size. False where the driver refuses, as
-// it may for depths that are stored in two ways.
-bool copy(const int* size) {
-  const int all[4] = {0, size[0], 0, size[1]};
-  while (glGetError() != GL_NO_ERROR) {
-  }  // of others
-  vtkOpenGLFramebufferObject::Blit(all, all, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-  return glGetError() == GL_NO_ERROR;
-}
-
 }  // namespace
 
 vtkStandardNewMacro(StillPointsRenderer);
+
+void StillPointsRenderer::draw_afresh(vtkProp* prop) {
+  std::erase_if(afresh_, [](const auto& known) { return known == nullptr; });
+  afresh_.emplace_back(prop);
+}
+
+// Of actors it is known when they changed.
+StillPointsRenderer::Shown StillPointsRenderer::shown() {
+  Shown shown;
+  const auto is_afresh = [&](const vtkProp* prop) {
+    return std::ranges::any_of(afresh_, [&](const auto& known) { return known.Get() == prop; });
+  };
+  for (int i = 0; i < PropArrayCount; ++i) {
+    auto* prop = PropArray[i];
+    if (auto* cloud = PointParts::SafeDownCast(prop))
+      shown.clouds.push_back(cloud);
+    else if (vtkActor::SafeDownCast(prop) != nullptr && !is_afresh(prop))
+      shown.solids.push_back(prop);
+    else
+      shown.others.push_back(prop);
+  }
+  return shown;
+}
+
+vtkOpenGLRenderWindow& StillPointsRenderer::window() { return *vtkOpenGLRenderWindow::SafeDownCast(GetRenderWindow()); }
 
 std::vector<double> StillPointsRenderer::eye() {
   std::vector<double> eye;
@@ -95,14 +108,59 @@ bool StillPointsRenderer::add_missing(const std::vector<PointParts*>& clouds) {
   return added;
 }
 
-void StillPointsRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* target) {
-  std::vector<PointParts*> clouds;
-  std::vector<vtkProp*> others;
-  for (int i = 0; i < PropArrayCount; ++i)
-    if (auto* cloud = PointParts::SafeDownCast(PropArray[i]))
-      clouds.push_back(cloud);
+bool StillPointsRenderer::any_missing(const std::vector<PointParts*>& clouds) const {
+  return std::ranges::any_of(clouds, [&](auto* cloud) {
+    const auto it = kept_.find(cloud);
+    const auto is_missing = [&](auto* part) { return it == kept_.end() || !it->second.parts.contains(part); };
+    return std::ranges::any_of(cloud->drawn(), is_missing);
+  });
+}
+
+// All that is in the picture is to be drawn, as it was.
+bool StillPointsRenderer::solids_hold(const std::vector<vtkProp*>& solids) const {
+  const auto is_kept = [&](vtkProp* prop) {
+    const auto it = kept_solids_.find(prop);
+    return it != kept_solids_.end() && it->second == prop->GetRedrawMTime();
+  };
+  return !kept_solids_.empty() &&
+         static_cast<std::size_t>(std::ranges::count_if(solids, is_kept)) == kept_solids_.size();
+}
+
+void StillPointsRenderer::draw_points(const std::vector<PointParts*>& clouds, bool holds, std::vector<double> eye) {
+  kept_solids_.clear();
+  if (holds)
+    points_.put_back(window());
+  else
+    forget();
+  if (add_missing(clouds)) {
+    ++drawn_;
+    refused_ = !points_.put_aside(window());
+    if (refused_)
+      forget();
     else
-      others.push_back(PropArray[i]);
+      eye_ = std::move(eye);
+  } else if (holds) {
+    ++reused_;
+  } else {
+    forget();  // no points: there is no picture of them
+  }
+}
+
+void StillPointsRenderer::draw_solids(const std::vector<vtkProp*>& solids) {
+  bool added = false;
+  for (auto* prop : solids) {
+    if (kept_solids_.contains(prop)) continue;
+    NumberOfPropsRendered += prop->RenderOpaqueGeometry(this);
+    added = true;
+  }
+  if (!added || eye_.empty() || !whole_) return;
+  kept_solids_.clear();
+  if (!with_solids_.put_aside(window())) return;
+  for (auto* prop : solids) kept_solids_.emplace(prop, prop->GetRedrawMTime());
+}
+
+void StillPointsRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* target) {
+  const auto [clouds, solids, others] = shown();
   if (clouds.empty() || !can_keep()) {
     forget();
     whole_ = true;
@@ -112,65 +170,27 @@ void StillPointsRenderer::DeviceRenderOpaqueGeometry(vtkFrameBufferObjectBase* t
   }
   auto now = eye();
   const bool holds = still_holds(clouds, now);
-  if (holds)
-    put_back();
-  else
-    forget();
-  if (add_missing(clouds)) {
-    ++drawn_;
-    refused_ = !put_aside();
-    if (refused_)
-      forget();
-    else
-      eye_ = std::move(now);
-  } else if (holds) {
-    ++reused_;
+  if (holds && !any_missing(clouds) && solids_hold(solids)) {
+    with_solids_.put_back(window());
+    whole_ = true;
+    ++reused_, ++reused_with_solids_;
   } else {
-    forget();  // no points: there is no picture of them
+    draw_points(clouds, holds, std::move(now));
   }
+  draw_solids(solids);
   for (auto* p : others) NumberOfPropsRendered += p->RenderOpaqueGeometry(this);
 }
 
 void StillPointsRenderer::forget() {
   eye_.clear();
   kept_.clear();
-}
-
-bool StillPointsRenderer::put_aside() {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(GetRenderWindow());
-  auto* state = window->GetState();
-  const int* size = window->GetSize();
-  state->PushFramebufferBindings();
-  picture_->SetContext(window);
-  if (const int* last = picture_->GetLastSize();
-      last[0] != size[0] || last[1] != size[1] || picture_->GetFBOIndex() == 0) {
-    picture_->ReleaseGraphicsResources(window);
-    picture_->PopulateFramebuffer(size[0], size[1], true, 1, VTK_UNSIGNED_CHAR, true, 32, 0, false);
-  }
-  window->GetRenderFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
-  window->GetRenderFramebuffer()->ActivateReadBuffer(0);
-  picture_->Bind(GL_DRAW_FRAMEBUFFER);
-  picture_->ActivateDrawBuffer(0);
-  const bool copied = copy(size);
-  state->PopFramebufferBindings();
-  return copied;
-}
-
-void StillPointsRenderer::put_back() {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(GetRenderWindow());
-  auto* state = window->GetState();
-  state->PushFramebufferBindings();
-  picture_->Bind(GL_READ_FRAMEBUFFER);
-  picture_->ActivateReadBuffer(0);
-  window->GetRenderFramebuffer()->Bind(GL_DRAW_FRAMEBUFFER);
-  window->GetRenderFramebuffer()->ActivateDrawBuffer(0);
-  copy(window->GetSize());
-  state->PopFramebufferBindings();
+  kept_solids_.clear();
 }
 
 void StillPointsRenderer::ReleaseGraphicsResources(vtkWindow* window) {
   forget();
-  picture_->ReleaseGraphicsResources(window);
+  points_.release(window);
+  with_solids_.release(window);
   Superclass::ReleaseGraphicsResources(window);
 }
 

@@ -40,6 +40,15 @@ bool may_be_near(const PickView& view, const Eigen::AlignedBox3d& box, const Eig
   return seen.exteriorDistance(at_px) <= reach_px;
 }
 
+AboutPixel::AboutPixel(const PickView& view, const Eigen::Vector3d& origin, const Eigen::Vector2d& at_px) {
+  Eigen::Matrix4d translate = Eigen::Matrix4d::Identity();
+  translate.topRightCorner<3, 1>() = origin - view.origin;
+  const Eigen::Matrix4d m = view.world_to_clip * translate;
+  right_ = view.width_px / 2 * m.row(0) + (view.width_px / 2 - at_px.x()) * m.row(3);
+  up_ = view.height_px / 2 * m.row(1) + (view.height_px / 2 - at_px.y()) * m.row(3);
+  depth_ = m.row(2), away_ = m.row(3);
+}
+
 std::optional<std::pair<Eigen::Vector2d, Eigen::Vector2d>> segment_on_screen(const PickView& view,
                                                                              const Eigen::Vector3d& a,
                                                                              const Eigen::Vector3d& b) {
@@ -95,21 +104,16 @@ struct NearPoint {
 
 void add_near(const PickView& view, const PointCloud& cloud, std::span<const std::uint32_t> indices,
               const Eigen::Vector2d& at_px, double reach_px, std::size_t set, std::vector<NearPoint>& near) {
-  Eigen::Matrix4d translate = Eigen::Matrix4d::Identity();
-  translate.topRightCorner<3, 1>() = cloud.origin - view.origin;
-  const Eigen::Matrix4d m = view.world_to_clip * translate;
-  // Pixels from the place that was picked, times w: nothing is divided for the many points that are far from it.
-  const Eigen::RowVector4d right = view.width_px / 2 * m.row(0) + (view.width_px / 2 - at_px.x()) * m.row(3),
-                           up = view.height_px / 2 * m.row(1) + (view.height_px / 2 - at_px.y()) * m.row(3),
-                           depth = m.row(2), away = m.row(3);
+  const AboutPixel about(view, cloud.origin, at_px);
   const auto& positions = cloud.positions();
   for (const auto i : indices) {
-    const Eigen::Vector4d p = positions[i].cast<double>().homogeneous();
-    const double w = away * p, x = right * p, y = up * p;
-    if (!(w > 1e-9) || x * x + y * y > reach_px * reach_px * w * w) continue;
-    const double z = depth * p;
+    const Eigen::Vector3d p = positions[i].cast<double>();
+    const auto place = about(p);
+    if (!place.within(reach_px)) continue;
+    const double z = about.depth(p);
     // In a parallel view w is one everywhere; z orders the points there.
-    if (std::abs(z) <= w) near.push_back({set, i, std::sqrt(x * x + y * y) / w, w + z});
+    if (std::abs(z) <= place.w)
+      near.push_back({set, i, std::hypot(place.right_px, place.up_px) / place.w, place.w + z});
   }
 }
 

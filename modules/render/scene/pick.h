@@ -48,6 +48,26 @@ Eigen::Vector3d at_depth(const PickView& view, const Eigen::Vector2d& at_px, dou
 // Whether a place within the box, world axes, may be seen within `reach_px` of a pixel.
 bool may_be_near(const PickView& view, const Eigen::AlignedBox3d& box, const Eigen::Vector2d& at_px, double reach_px);
 
+// Coordinates relative to `origin` against a pixel; those of points are relative to that of their cloud.
+class AboutPixel {
+ public:
+  AboutPixel(const PickView& view, const Eigen::Vector3d& origin, const Eigen::Vector2d& at_px);
+  struct Place {
+    double right_px, up_px;  // from the pixel, times w: nothing is divided for the many places that are far from it
+    double w;                // behind the eye where it is not positive
+    bool within(double reach_px) const {
+      return w > 1e-9 && right_px * right_px + up_px * up_px <= reach_px * reach_px * w * w;
+    }
+  };
+  Place operator()(const Eigen::Vector3d& p) const {
+    return {right_.head<3>().dot(p) + right_[3], up_.head<3>().dot(p) + up_[3], away_.head<3>().dot(p) + away_[3]};
+  }
+  double depth(const Eigen::Vector3d& p) const { return depth_.head<3>().dot(p) + depth_[3]; }  // times w
+
+ private:
+  Eigen::Vector4d right_, up_, depth_, away_;
+};
+
 // The foremost of `indices` within `reach_px` of a place: of those hardly deeper than the nearest, the one closest to
 // it.
 std::optional<std::uint32_t> pick_point(const PickView& view, const PointCloud& cloud,

@@ -14,7 +14,8 @@
 namespace bole::render {
 namespace {
 
-constexpr double min_px = 0.7;  // finer detail than this between points is not seen
+constexpr double min_px = 0.7;       // finer detail than this between points is not seen
+constexpr double rounding_px = 1.0;  // of places as they are drawn, near the eye
 
 // Eye coordinates of the layer are relative to `origin`; the octree's are relative to the cloud's.
 OctreeView view_of(vtkRenderer* renderer, const Eigen::Vector3d& shift) {
@@ -185,13 +186,21 @@ void PointLayer::forget_unused() {
 std::vector<PointSet> PointLayer::drawn_near(const PickView& view, const Eigen::Vector2d& at_px,
                                              double reach_px) const {
   std::vector<PointSet> drawn;
+  const AboutPixel about(view, origin_, at_px);
   for (const auto& [i, tile] : tiles_) {
     if (tile.last_use != frame_ || tile.indices.empty() || !may_be_near(view, tile.box, at_px, reach_px)) continue;
     const auto cloud = nodes_->cloud_of(i);
     if (!cloud) continue;
-    drawn.push_back({cloud, {}, tile.box});
-    std::ranges::copy_if(tile.indices, std::back_inserter(drawn.back().indices),
-                         [&](auto index) { return !clip_ || clip_->contains(cloud->position(index)); });
+    // Coordinates as they are drawn lie one behind the other, those of the cloud do not.
+    PointSet near{cloud, {}, tile.box};
+    const float* at = drawn_at(*tile.actor).data();
+    for (const auto index : tile.indices) {
+      if (about(Eigen::Map<const Eigen::Vector3f>(at).cast<double>()).within(reach_px + rounding_px) &&
+          (!clip_ || clip_->contains(cloud->position(index))))
+        near.indices.push_back(index);
+      at += 3;
+    }
+    if (!near.indices.empty()) drawn.push_back(std::move(near));
   }
   return drawn;
 }

@@ -62,7 +62,7 @@ class PointLayer {
   std::size_t drawn() const { return drawn_; }      // points of the last update
   std::size_t fresh() const { return fresh_; }      // of them, those that were prepared for it
   std::size_t awaited() const { return awaited_; }  // nodes that the last update wanted and that are not here yet
-  // Those that are seen, in nodes that may have some within `reach_px` of a pixel.
+  // Those that are drawn within `reach_px` of a pixel, and some that are a little farther from it.
   std::vector<PointSet> drawn_near(const PickView& view, const Eigen::Vector2d& at_px, double reach_px) const;
   const PointPaint& paint() const { return paint_; }
 

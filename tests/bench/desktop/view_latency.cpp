@@ -1,7 +1,7 @@
 // From a key or a click to all views: view_latency DOCUMENT.json [STEMS = 60]. Run it as
 //   xvfb-run -a -s "-screen 0 1920x1080x24" build/headless/bin/view_latency survey.json
 // Runs the document (at once where its results are cached), then selects stems by clicks in the 3-D view, by Ctrl+Right
-// and by the table at 1920 x 1080, and prints how long it took until every view had been painted.
+// and by the table at 1920 x 1080, changes the theme, and prints how long it took until every view had been painted.
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkRenderWindow.h>
 
@@ -99,12 +99,13 @@ int main(int argc, char** argv) {
              window.height());
   const auto ids = stems->integers("tree_id");
   const std::size_t count = std::min<std::size_t>(ids.size(), static_cast<std::size_t>(std::max(1, most)));
-  std::vector<Painted> by_click, by_key, by_table;
+  std::vector<Painted> by_click, by_key, by_table, by_theme;
   window.scene().reset_camera();
   QTest::qWait(1000);
   wait_for_views(window, longest_run_s);  // all points of it are prepared
   const auto x = stems->numbers("x_m"), y = stems->numbers("y_m"), z = stems->numbers("z_m");
   constexpr double clicked_above_m = 1.3;
+  constexpr int themes = 8;
   for (std::size_t i = 0; i < count; ++i) {
     const QPoint at = window.scene().place_of({x[i], y[i], z[i] + clicked_above_m});
     if (!window.scene().rect().contains(at)) continue;
@@ -116,8 +117,13 @@ int main(int argc, char** argv) {
         painted_after(window, [&] { QTest::keyClick(window.windowHandle(), Qt::Key_Right, Qt::ControlModifier); }));
   for (std::size_t i = 0; i < count; ++i)
     by_table.push_back(painted_after(window, [&] { window.stems().select_tree(ids[i]); }));
+  for (int k = 0; k < themes; ++k)
+    by_theme.push_back(
+        painted_after(window, [&] { window.commands().trigger(k % 2 == 0 ? "theme.dark" : "theme.light"); }));
+  window.commands().trigger("theme.system");
   print_times("click on a stem in 3-D", by_click);
   print_times("Ctrl+Right, camera to the stem", by_key);
   print_times("row of the table", by_table);
+  print_times("light or dark", by_theme);
   return 0;
 }

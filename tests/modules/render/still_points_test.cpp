@@ -1,10 +1,12 @@
-// Points at rest: drawn in steps over those that are kept, the same picture as all at once.
+// Points and solids at rest: drawn in steps over those that are kept, the same picture as all at once.
 #include <gtest/gtest.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkSmartPointer.h>
+#include <vtkSphereSource.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <numeric>
@@ -138,6 +140,94 @@ TEST_F(StillPoints, NoPointsLeaveNoPicture) {
   const auto all = frame();
   EXPECT_NE(all, empty);
   EXPECT_EQ(frame(), all);
+}
+
+vtkSmartPointer<vtkActor> ball(double x, double z, const Color& color) {
+  vtkNew<vtkSphereSource> source;
+  source->SetCenter(x, 0.5, z);
+  source->SetRadius(0.3);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(color.r, color.g, color.b);
+  return actor;
+}
+
+// Balls among the points: one behind all of them, one between.
+class StillSolids : public StillPoints {
+ protected:
+  StillSolids() : behind_(ball(0.5, -0.5, hex(0xffff00))), between_(ball(1.2, 0.5, hex(0x00ffff))) {
+    for (auto& actor : {behind_, between_}) renderer_->AddActor(actor);
+  }
+  // As it is drawn without anything that is kept.
+  std::vector<unsigned char> drawn_anew() {
+    renderer_->keep(false);
+    auto picture = frame();
+    renderer_->keep(true);
+    return picture;
+  }
+
+  vtkSmartPointer<vtkActor> behind_, between_;
+};
+
+TEST_F(StillSolids, AreTakenAsTheyWereWithThePoints) {
+  const auto anew = drawn_anew();
+  EXPECT_EQ(frame(), anew);
+  EXPECT_EQ(renderer_->solids_from_kept(), 0U);
+  EXPECT_EQ(frame(), anew);
+  EXPECT_EQ(renderer_->solids_from_kept(), 1U);
+  EXPECT_EQ(renderer_->frames_from_kept(), 1U);
+}
+
+TEST_F(StillSolids, WhatIsDrawnAfreshComesAndGoesOverThem) {
+  frame();
+  const auto without = frame();
+  const auto selected = ball(0.9, 0.7, hex(0xff00ff));
+  renderer_->draw_afresh(selected);
+  renderer_->AddActor(selected);
+  const auto with = frame();
+  EXPECT_EQ(renderer_->solids_from_kept(), 2U);
+  EXPECT_NE(with, without);
+  EXPECT_EQ(with, drawn_anew());
+  frame();
+  const auto taken = renderer_->solids_from_kept();
+  selected->GetProperty()->SetColor(1, 1, 1);
+  EXPECT_NE(frame(), with);
+  renderer_->RemoveActor(selected);
+  EXPECT_EQ(frame(), without);
+  EXPECT_EQ(renderer_->solids_from_kept(), taken + 2);
+}
+
+// The points are as they were: their picture is taken.
+TEST_F(StillSolids, ThatChangeAreDrawnAnewOverThePoints) {
+  frame();
+  const auto before = frame();
+  const auto points_drawn = renderer_->frames_drawn(), taken = renderer_->solids_from_kept();
+  between_->GetProperty()->SetColor(1, 0, 0);
+  const auto red = frame();
+  EXPECT_NE(red, before);
+  between_->VisibilityOff();
+  const auto gone = frame();
+  EXPECT_NE(gone, red);
+  EXPECT_EQ(frame(), gone);
+  between_->VisibilityOn();
+  EXPECT_EQ(frame(), red);  // one that comes is drawn over those that are kept
+  EXPECT_EQ(renderer_->solids_from_kept(), taken + 2);
+  EXPECT_EQ(frame(), red);
+  EXPECT_EQ(renderer_->solids_from_kept(), taken + 3);
+  EXPECT_EQ(renderer_->frames_drawn(), points_drawn);
+  EXPECT_EQ(red, drawn_anew());
+}
+
+TEST_F(StillSolids, PointsThatComeLieBeforeAndBehindThem) {
+  show(1);
+  frame();
+  frame();
+  show(3);
+  const auto all = frame();
+  EXPECT_EQ(frame(), all);
+  EXPECT_EQ(all, drawn_anew());
 }
 
 }  // namespace
