@@ -2776,6 +2776,18 @@
             <translation>三维视图中没有显示底图。</translation>
         </message>
         <message>
+            <source>Terrain with contour lines</source>
+            <translation>地形与等高线</translation>
+        </message>
+        <message>
+            <source>As the 3-D view shows it: over a map that follows it the contour lines alone</source>
+            <translation>与三维视图所示相同:在贴合地形的底图上只画等高线</translation>
+        </message>
+        <message>
+            <source>The 3-D view shows no terrain.</source>
+            <translation>三维视图中没有显示地形。</translation>
+        </message>
+        <message>
             <source>With %1</source>
             <translation>包含 %1</translation>
         </message>

@@ -7071,6 +7071,10 @@
             <translation>地图没有注明坐标系，按测量的坐标系处理</translation>
         </message>
         <message>
+            <source>the points have no heights above ground: the terrain is not drawn</source>
+            <translation>点没有离地高度：不绘制地形</translation>
+        </message>
+        <message>
             <source>the points have no heights above ground: the map is flat</source>
             <translation>点没有离地高度：地图为平面</translation>
         </message>

@@ -4235,6 +4235,10 @@
             <translation>地图随点下方的地面起伏,否则为测量底部的平面。</translation>
         </message>
         <message>
+            <source>Draw the ground below the points as a surface with contour lines. Over a map that follows it, the contour lines alone.</source>
+            <translation>将点下方的地面画成带等高线的曲面。在随地面起伏的地图上只画等高线。</translation>
+        </message>
+        <message>
             <source>Draw the fitted stems.</source>
             <translation>绘制拟合的树干。</translation>
         </message>

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "cloud/raster.h"
 #include "render/beside/beside_cloud.h"
 #include "render/beside/ground_places.h"
 
@@ -16,10 +17,16 @@ struct PlacedPicture {
   double opacity = 1;  // 0 to 1
 };
 
+struct ShownTerrain {
+  std::shared_ptr<const Raster> heights;  // never null
+  bool lines_only = false;                // over a map that follows it
+};
+
 // In the axes of the survey.
 struct Surroundings {
   std::vector<BesideCloud> clouds;
-  std::optional<PlacedPicture> ground;
+  std::optional<PlacedPicture> ground{};
+  std::optional<ShownTerrain> terrain{};
 };
 
 }  // namespace bole::render

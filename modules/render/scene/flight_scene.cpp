@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "render/beside/ground_picture.h"
 #include "render/beside/painted_points.h"
+#include "render/beside/terrain_surface.h"
 #include "render/draw/color.h"
 #include "render/draw/shrink.h"
 #include "render/scene/actors.h"
@@ -50,6 +51,11 @@ FlightScene::FlightScene(const MapData& data, const Surroundings& about, const F
   if (about.ground) {
     const auto& [picture, places, opacity] = *about.ground;
     p.renderer->AddActor(ground_actor(ground_texture(picture, true), places, p.origin, opacity));
+  }
+  if (about.terrain) {
+    const auto surface = terrain_surface(*about.terrain->heights, p.origin);
+    for (const auto& actor : {about.terrain->lines_only ? nullptr : surface.ground, surface.contours})
+      if (actor) p.renderer->AddActor(actor);
   }
   if (look.stems && data.stems != nullptr && data.stems->rows() > 0) {
     const auto shapes = stem_shapes(*data.stems, data.sections);

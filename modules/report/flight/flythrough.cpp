@@ -108,6 +108,9 @@ const OptionTable& option_table(const FlythroughOptions*) {
       Number{"map_opacity", &S::map_opacity, Unit::none, {0.05, 1}, Tier::advanced, "Opacity of the map."},
       Option<S, bool>{"map_on_terrain", &S::map_on_terrain, Tier::advanced,
                       "The map follows the ground below the points, else it is flat at the foot of the survey."},
+      Option<S, bool>{"terrain", &S::terrain, Tier::basic,
+                      "Draw the ground below the points as a surface with contour lines. Over a map that follows it, "
+                      "the contour lines alone."},
       OnlyIf{"course", {"views"}, {"views"}},
       OnlyIf{"course", {"walk"}, {"above", "ahead"}},
   });

@@ -32,6 +32,7 @@ struct FlythroughOptions {
   std::string map;  // a picture with a place on the earth
   double map_opacity = 1;
   bool map_on_terrain = false;
+  bool terrain = false;
 };
 
 const OptionTable& option_table(const FlythroughOptions*);
@@ -45,7 +46,7 @@ std::vector<render::ViewPoint> flight_of(const FlythroughOptions& options, const
                                          const std::vector<render::ViewPoint>& stops);
 
 // Writes flythrough/frame_00001.png, ... into `folder`, and flythrough.mp4 where ffmpeg is found in PATH; what is
-// missing for the video is said in the report. `about`: other clouds, and a map. Throws
+// missing for the video is said in the report. `about`: other clouds, a map, the terrain. Throws
 // Error{bad_input}, Error{failed}, Error{cancelled}; frames that were drawn until then stay.
 Report write_flythrough(const render::MapData& data, const std::vector<render::ViewPoint>& flight,
                         const FlythroughOptions& options, const std::filesystem::path& folder, const Run& run,

@@ -53,8 +53,8 @@ Eigen::AlignedBox3d extent_of(const PointCloud& cloud) {
   return box;
 }
 
-render::PlacedPicture map_below(const FilmCloud& film, const FlythroughOptions& o, const Run& run,
-                                std::vector<std::string>& warnings) {
+render::PlacedPicture map_below(const FilmCloud& film, const render::GroundBelow& ground, const FlythroughOptions& o,
+                                const Run& run, std::vector<std::string>& warnings) {
   if (!film.place)
     throw bad_input("the survey has no place on the earth for the map " + o.map, "a georeferenced survey",
                     "Give its plot control points (survey.georeference), or leave the map out");
@@ -64,12 +64,23 @@ render::PlacedPicture map_below(const FilmCloud& film, const FlythroughOptions& 
     warnings.emplace_back("the map names no coordinate system and was taken to have that of the survey");
   const double foot = extent.min().z();
   if (!o.map_on_terrain) return {map.picture, render::flat_ground(map.corners, foot), o.map_opacity};
-  const render::GroundBelow ground(film.points);
   if (ground.empty()) {
     warnings.emplace_back("the points have no heights above ground: the map is flat");
     return {map.picture, render::flat_ground(map.corners, foot), o.map_opacity};
   }
   return {map.picture, render::draped_ground(map.corners, ground.heights(), foot), o.map_opacity};
+}
+
+void add_ground(const FilmCloud& film, const FlythroughOptions& o, const Run& run, render::Surroundings& about,
+                std::vector<std::string>& warnings) {
+  const render::GroundBelow ground(film.points);
+  if (!o.map.empty()) about.ground = map_below(film, ground, o, run, warnings);
+  if (!o.terrain) return;
+  if (ground.empty())
+    warnings.emplace_back("the points have no heights above ground: the terrain is not drawn");
+  else
+    about.terrain = {std::make_shared<const Raster>(ground.heights()),
+                     about.ground && !about.ground->places.behind_all};
 }
 
 pipeline::StageResult run_flythrough(const DataSet& inputs, const FlythroughOptions& o, const Run& run) {
@@ -86,7 +97,7 @@ pipeline::StageResult run_flythrough(const DataSet& inputs, const FlythroughOpti
   render::Surroundings about;
   if (inputs.has("beside")) about.clouds.push_back(beside_cloud(in_axes_of(film, inputs.cloud("beside"), run), o));
   std::vector<std::string> warnings;
-  if (!o.map.empty()) about.ground = map_below(film, o, run, warnings);
+  if (!o.map.empty() || o.terrain) add_ground(film, o, run, about, warnings);
   pipeline::StageResult result;
   result.report = write_flythrough(data, flight_of(o, data.trajectory, stops), o, run.output_dir, run, about);
   for (auto& warning : warnings) result.report.warn(std::move(warning));

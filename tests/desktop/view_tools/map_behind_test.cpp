@@ -246,6 +246,30 @@ class MapBehindTest : public QObject {
     window_->commands().trigger("map.show");
   }
 
+  void a_film_has_the_terrain_of_the_view() {
+    const auto film = [&](const FilmScenery& scenery, const char* folder, bool wished) {
+      FlythroughDialog dialog(scene().survey(), short_course(scene(), {0.5, 0, 0}), short_film(), window_.get(),
+                              scenery);
+      auto* box = dialog.findChild<QCheckBox*>("flythrough_terrain");
+      box->setChecked(wished && box->isEnabled());
+      dialog.findChild<QCheckBox*>("flythrough_map")->setChecked(false);
+      dialog.start(at(folder));
+      for (int wait = 0; wait < 6000 && dialog.busy(); ++wait) QTest::qWait(10);
+      return QImage(at(folder) + "/flythrough/frame_00001.png");
+    };
+    scene().look_along({0, 0.3, -1}, Eigen::Vector3d::UnitY());
+    QVERIFY(!scenery_of(scene()).terrain);
+    const QImage without = film(scenery_of(scene()), "no_terrain", true);
+    window_->commands().trigger("view.terrain");
+    QVERIFY(scenery_of(scene()).terrain);
+    const QImage with = film(scenery_of(scene()), "terrain", true);
+    QCOMPARE(with.width(), 320);
+    QVERIFY(with != without);
+    QCOMPARE(film(scenery_of(scene()), "terrain_left_out", false), without);
+    keep_picture(with, "terrain_film");
+    window_->commands().trigger("view.terrain");
+  }
+
   void a_film_has_it_where_it_is_wished() {
     scene().look_along({0, 0.3, -1}, Eigen::Vector3d::UnitY());
     FlythroughDialog dialog(scene().survey(), short_course(scene(), {0.5, 0, 0}), short_film(), window_.get(),

@@ -259,6 +259,24 @@ class FilmOfAPlace : public Flythrough {
   GlobalFrame frame_;
 };
 
+// The points of these films stand on level ground, whose tint is that of a map of the terrain.
+TEST_F(FilmOfAPlace, HasTheGroundBelowWhereItIsWished) {
+  run_stage(inputs(cloud_), {}, folder_ / "without");
+  run_stage(inputs(cloud_), {{"terrain", "true"}}, folder_ / "with");
+  const auto plain = bands_of(folder_ / "without/flythrough/frame_00001.png"),
+             ground = bands_of(folder_ / "with/flythrough/frame_00001.png");
+  ASSERT_EQ(plain.size(), ground.size());
+  std::size_t other = 0;
+  for (std::size_t i = 0; i < plain.size(); ++i) other += std::abs(plain[i] - ground[i]) > 16;
+  EXPECT_GT(other, plain.size() / 20);
+  auto bare = cloud_;
+  bare.remove_column(arrays::height_above_ground.name);
+  const auto report = run_stage(inputs(bare), {{"terrain", "true"}}, folder_ / "bare");
+  EXPECT_THAT(report.warnings, testing::Contains(testing::HasSubstr("the terrain is not drawn")));
+  run_stage(inputs(bare), {}, folder_ / "bare_without");
+  EXPECT_EQ(first("bare"), first("bare_without"));
+}
+
 TEST_F(FilmOfAPlace, IsThatOfThePlotItself) {
   run_stage(inputs(cloud_), {}, folder_ / "plot");
   const auto global = to_global(cloud_, frame_, {});

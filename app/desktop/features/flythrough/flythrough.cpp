@@ -48,7 +48,9 @@ bool has_walk(const Survey& survey) { return survey.walk && survey.walk->poses.s
 
 }  // namespace
 
-FilmScenery scenery_of(const SceneView& scene) { return {scene.clouds(), scene.paint(), scene.map_shown()}; }
+FilmScenery scenery_of(const SceneView& scene) {
+  return {scene.clouds(), scene.paint(), scene.map_shown(), scene.terrain_layer().shown()};
+}
 
 FlythroughDialog::FlythroughDialog(const Survey& survey, std::vector<render::ViewPoint> stops,
                                    report::FlythroughOptions options, QWidget* parent, FilmScenery scenery)
@@ -98,6 +100,13 @@ void FlythroughDialog::make_form() {
   map_->setChecked(map_->isEnabled());
   map_->setToolTip(map_->isEnabled() ? tr("As the 3-D view shows it: flat or on the terrain, and its opacity")
                                      : tr("The 3-D view shows no map behind the survey."));
+  terrain_ = new QCheckBox(tr("Terrain with contour lines"));
+  terrain_->setObjectName("flythrough_terrain");
+  terrain_->setEnabled(scenery_.terrain.has_value());
+  terrain_->setChecked(terrain_->isEnabled());
+  terrain_->setToolTip(terrain_->isEnabled()
+                           ? tr("As the 3-D view shows it: over a map that follows it the contour lines alone")
+                           : tr("The 3-D view shows no terrain."));
   video_ = new QCheckBox(tr("Video (MP4)"));
   const bool has_ffmpeg = !report::program_in_path("ffmpeg").empty();
   video_->setEnabled(has_ffmpeg);
@@ -118,6 +127,7 @@ void FlythroughDialog::make_form() {
   form->addRow(stems_);
   form->addRow(beside_);
   form->addRow(map_);
+  form->addRow(terrain_);
   form->addRow(video_);
   auto* buttons = new QDialogButtonBox;
   start_ = buttons->addButton(tr("Make the film…"), QDialogButtonBox::ActionRole);
@@ -185,6 +195,10 @@ render::Surroundings FlythroughDialog::surroundings() const {
     for (const auto& cloud : scenery_.clouds)
       about.clouds.push_back({cloud.points, paint_of(cloud, scenery_.of_survey), cloud.point_px, cloud.opacity});
   if (map_->isChecked()) about.ground = scenery_.map;
+  if (terrain_->isChecked()) {
+    about.terrain = scenery_.terrain;
+    about.terrain->lines_only = about.ground && !about.ground->places.behind_all;
+  }
   return about;
 }
 

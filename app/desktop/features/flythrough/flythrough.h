@@ -1,6 +1,6 @@
 // Makes a film of the survey that the 3-D view shows, along the walk or through the bookmarked views: the frames that
-// the stage report.flythrough makes of the same inputs, with the clouds beside the survey and the map behind it where
-// they are wished.
+// the stage report.flythrough makes of the same inputs, with the clouds beside the survey, the map behind it and the
+// terrain where they are wished.
 #pragma once
 
 #include <QDialog>
@@ -30,6 +30,7 @@ struct FilmScenery {
   std::vector<SceneCloud> clouds;
   render::PointPaint of_survey;  // whose colours they share where they show the same numbers
   std::optional<render::PlacedPicture> map;
+  std::optional<render::ShownTerrain> terrain;
 };
 FilmScenery scenery_of(const SceneView& scene);
 
@@ -67,7 +68,7 @@ class FlythroughDialog : public QDialog {
   QComboBox *course_, *size_;
   QDoubleSpinBox* seconds_;
   QSpinBox* rate_;
-  QCheckBox *stems_, *beside_, *map_, *video_;
+  QCheckBox *stems_, *beside_, *map_, *terrain_, *video_;
   QLabel *what_, *with_clouds_;
   QProgressBar* progress_;
   QPushButton *start_, *cancel_;

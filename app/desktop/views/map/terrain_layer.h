@@ -5,9 +5,11 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cloud/raster.h"
+#include "render/beside/surroundings.h"
 #include "render/beside/terrain_surface.h"
 
 namespace bole::desktop {
@@ -20,7 +22,10 @@ class TerrainLayer {
   // after an edit of stems.
   void draw(const std::shared_ptr<const Raster>& terrain, const Eigen::Vector3d& origin, bool lines_only);
   const std::vector<vtkSmartPointer<vtkActor>>& actors() const { return actors_; }  // as drawn
-  double contour_step_m() const { return contour_step_m_; }                         // 0: no contour lines
+  std::optional<render::ShownTerrain> shown() const {
+    return terrain_ ? std::optional(render::ShownTerrain{terrain_, lines_only_}) : std::nullopt;
+  }
+  double contour_step_m() const { return contour_step_m_; }  // 0: no contour lines
 
  private:
   vtkRenderer* renderer_;
