@@ -11179,6 +11179,10 @@
             <translation>点的时间为%1，轨迹的时间为%2：时间差 %3 s（%4）和 %5 s（%6）都相符</translation>
         </message>
         <message>
+            <source>the path is in the axes of the plot that the cloud was moved from: it was moved with them</source>
+            <translation>路径采用点云平移前的样地坐标轴：已随之一并移动</translation>
+        </message>
+        <message>
             <source>%1: %2 s were added to the times of the trajectory</source>
             <translation>%1：轨迹的时间加上了 %2 s</translation>
         </message>

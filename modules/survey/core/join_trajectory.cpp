@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "cloud/core/path_passes.h"
 #include "cloud/known_facts.h"
+#include "survey/core/path_axes.h"
 #include "survey/core/path_clock.h"
 #include "survey/core/path_fit.h"
 #include "survey/core/path_sight.h"
@@ -182,7 +183,8 @@ JoinedCloud join_trajectory(const PointCloud& points, const Trajectory& trajecto
                             const Run& run) {
   check_inputs(points, trajectory);
   JoinedCloud out;
-  const PathCurve curve(trajectory, options.max_gap);
+  out.trajectory = in_axes_of(points, trajectory, out.report);
+  const PathCurve curve(out.trajectory, options.max_gap);
   const PathSample sample(points);
   const double offset = options.time_offset ? *options.time_offset : clock_offset(sample, curve, out.report);
   if (const double share = sample.share_with_pose(curve, offset); share < 0.01)
@@ -242,7 +244,6 @@ JoinedCloud join_trajectory(const PointCloud& points, const Trajectory& trajecto
   out.points.set_column(arrays::range, std::move(range));
   out.points.set_column(arrays::pass, std::move(pass));
   set_fact(out.points.facts, PoseOrigin::given);
-  out.trajectory = trajectory;
   out.trajectory.axes = points.axes;
   for (auto& pose : out.trajectory.poses) pose.time_s += offset;
   return out;

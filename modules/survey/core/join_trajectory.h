@@ -21,7 +21,7 @@ const OptionTable& option_table(const JoinOptions*);
 
 struct JoinedCloud {
   PointCloud points;      // with sensor_x, sensor_y, sensor_z, range and pass; NaN where there is no pose
-  Trajectory trajectory;  // with the times of the points
+  Trajectory trajectory;  // with the times and in the axes of the points
   Report report;
 };
 

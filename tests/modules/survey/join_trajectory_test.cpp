@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "cloud/core/global_frame.h"
 #include "cloud/known_facts.h"
 #include "survey/core/path_clock.h"
 #include "survey/core/path_curve.h"
@@ -117,6 +118,40 @@ TEST(PathClock, LeapSecondsOfTheDates) {
   EXPECT_EQ(leap_seconds(1136073599), 13);
   EXPECT_EQ(leap_seconds(1136073600), 14);  // 2006-01-01
   EXPECT_EQ(leap_seconds(1700000000), 18);  // 2023-11-14
+}
+
+// Of a survey with a place on the earth the cloud was moved there, and the path was not.
+TEST(JoinTrajectory, MovesThePathOfThePlotToAPlacedCloud) {
+  GlobalFrame frame;
+  frame.centre_local = {500000, 5400000, 300};  // the axes of the plot, far from what they were moved to
+  frame.shift_global = {3563210, 5912345, 431};
+  frame.A_global_local = Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  frame.A_global_local.topRows<2>() *= 0.9996;
+  frame.crs_wkt = "LOCAL_CS[\"a grid\"]";
+  frame.heights_known = true;
+  const auto placed = to_global(mapped(0), frame, {});
+  const auto joined = join_trajectory(placed, walk(0), {}, {});
+  ASSERT_NE(finding(joined.report, "path_moved"), nullptr);
+  EXPECT_EQ(finding(joined.report, "path_moved")->severity, Severity::note);
+  const auto& time = joined.points.values<double>(arrays::time);
+  const auto &x = joined.points.values<float>(arrays::sensor_x), &y = joined.points.values<float>(arrays::sensor_y),
+             &z = joined.points.values<float>(arrays::sensor_z);
+  double worst = 0;
+  for (std::size_t i = 0; i < time.size(); ++i)
+    worst = std::max(
+        worst, (joined.points.origin + Eigen::Vector3d(x[i], y[i], z[i]) - frame.to_global(place_at(time[i]))).norm());
+  EXPECT_LT(worst, 0.03);
+  for (const auto& pose : joined.trajectory.poses)
+    EXPECT_LT((pose.T_target_sensor.linear() * pose.T_target_sensor.linear().transpose() - Eigen::Matrix3d::Identity())
+                  .norm(),
+              1e-9);
+  EXPECT_NEAR(std::atan2(joined.trajectory.poses[0].T_target_sensor.linear()(1, 0),
+                         joined.trajectory.poses[0].T_target_sensor.linear()(0, 0)),
+              0.4, 1e-9);
+  auto foreign = placed;  // does not know them
+  foreign.facts.erase("local_axes");
+  EXPECT_THAT(error_of([&] { join_trajectory(foreign, walk(0), {}, {}); }),
+              HasSubstr("does not run through the cloud"));
 }
 
 TEST(JoinTrajectory, GivesEveryPointItsRayAndItsPass) {
