@@ -218,7 +218,7 @@ class ShellTest : public QObject {
       apply_mode(window, shipped_modes().back());
       auto* slice = window.docks().find("slice");
       slice->setFloating(true);
-      slice->setGeometry({window.mapToGlobal({300, 300}), QSize(300, 300)});
+      slice->setGeometry({window.mapToGlobal(QPoint(300, 300)), QSize(300, 300)});
       QVERIFY(QTest::qWaitForWindowExposed(slice));
       keep_layout(window);
     }
