@@ -309,6 +309,21 @@ class ViewsTest : public QObject {
     QVERIFY(wait());
   }
 
+  void a_narrow_slice_cuts_no_number() {
+    auto& slice = window_->slice();
+    auto* height = slice.findChild<QDoubleSpinBox*>("cut_height");
+    auto* thickness = slice.findChild<QDoubleSpinBox*>("cut_thickness");
+    const QSize before = slice.size();
+    const int words = height->sizeHint().width();
+    for (const int width : {slice.minimumWidth(), 2 * words - 10, 500}) {
+      slice.resize(width, 300);
+      QVERIFY2(height->width() >= height->sizeHint().width(), qPrintable(QString::number(width)));
+      QCOMPARE(height->suffix(), QString(width == 2 * words - 10 ? " m" : " m high"));
+      QCOMPARE(thickness->y() > height->y(), width == slice.minimumWidth());
+    }
+    slice.resize(before);
+  }
+
   void the_height_of_the_slice_is_dragged_in_the_profile() {
     auto* profile = window_->findChild<ProfileView*>();
     auto& slice = window_->slice();

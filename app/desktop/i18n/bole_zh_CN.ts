@@ -1517,6 +1517,10 @@
             <translation>请先选择一株单木:新树在其横切面中绘制。</translation>
         </message>
         <message>
+            <source> m</source>
+            <translation> m</translation>
+        </message>
+        <message>
             <source> m high</source>
             <translation> m 高</translation>
         </message>

@@ -35,12 +35,10 @@ SliceView::SliceView(Selection& selection, QWidget* parent)
   height_->setRange(0, 60);
   height_->setSingleStep(0.1);
   height_->setValue(cut_.height_m);
-  height_->setSuffix(tr(" m high"));
   height_->setToolTip(tr("Height of the cut above ground"));
   thickness_->setRange(0.01, 2);
   thickness_->setSingleStep(0.02);
   thickness_->setValue(cut_.thickness_m);
-  thickness_->setSuffix(tr(" m thick"));
   thickness_->setToolTip(tr("Thickness of the cut"));
   height_->setObjectName("cut_height");
   thickness_->setObjectName("cut_thickness");
@@ -173,7 +171,7 @@ void SliceView::write_lines() {
       data_.lines.push_back(std::move(line));
 }
 
-QRect SliceView::sheet() const { return rect().adjusted(0, height_->sizeHint().height() + 4, 0, 0); }
+QRect SliceView::sheet() const { return rect().adjusted(0, thickness_->geometry().bottom() + 3, 0, 0); }
 
 render::SliceScale SliceView::scale() const {
   return render::slice_scale(sheet().width() * mm_per_px, sheet().height() * mm_per_px, data_.lines.size(),
@@ -281,10 +279,26 @@ void SliceView::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
+// A number that is cut would be another one: the words give way, which the tips have too, then the box below does.
+void SliceView::place_boxes() {
+  constexpr int edge_px = 4, top_px = 2, usual_px = 130;
+  const int half = (width() - 3 * edge_px) / 2, h = height_->sizeHint().height();
+  const auto widest = [&](const QString& of_height, const QString& of_thickness) {
+    height_->setSuffix(of_height);
+    thickness_->setSuffix(of_thickness);
+    return std::max(height_->sizeHint().width(), thickness_->sizeHint().width());
+  };
+  int needed = widest(tr(" m high"), tr(" m thick"));
+  if (needed > half) needed = widest(tr(" m"), tr(" m"));
+  const bool below = needed > half;
+  if (below) widest(tr(" m high"), tr(" m thick"));
+  const int w = below ? width() - 2 * edge_px : std::min(half, std::max(usual_px, needed));
+  height_->setGeometry(edge_px, top_px, w, h);
+  thickness_->setGeometry(below ? edge_px : 2 * edge_px + w, below ? 2 * top_px + h : top_px, w, h);
+}
+
 void SliceView::resizeEvent(QResizeEvent*) {
-  const int h = height_->sizeHint().height(), w = std::min(130, (width() - 12) / 2);
-  height_->setGeometry(4, 2, w, h);
-  thickness_->setGeometry(8 + w, 2, w, h);
+  place_boxes();
   if (stem_) write_lines();
 }
 

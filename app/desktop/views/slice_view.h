@@ -53,6 +53,7 @@ class SliceView : public QWidget {
   void fit_here();
   void write_measured();
   void write_lines();
+  void place_boxes();
   QRect sheet() const;
   render::SliceScale scale() const;
   Eigen::Vector2d to_metres(const QPoint& at) const;
