@@ -1,6 +1,7 @@
 // Random commands over three documents: desktop_first_tests --fuzz. BOLE_FUZZ_ACTIONS (150) commands of the registry
 // that are enabled at the time, for each, chosen with BOLE_FUZZ_SEED (1); dialogs and menus are answered. No crash, no
-// edit that a crash would lose, no command that keeps the window busy.
+// edit that a crash would lose, no command that keeps the window busy. BOLE_FUZZ_TELL_MS: tells of each that does so
+// for longer.
 #include <QDialog>
 #include <QMenu>
 #include <QMessageBox>
@@ -72,6 +73,7 @@ class FuzzTest : public QObject {
     connect(&answers, &QTimer::timeout, this, &FuzzTest::answer_all);
     answers.start(5);
     const int actions = number_from("BOLE_FUZZ_ACTIONS", 150);
+    const double told_s = number_from("BOLE_FUZZ_TELL_MS", 0) / 1000.0;
     std::map<QString, int> tried;
     double worst_s = 0;
     QString worst;
@@ -85,6 +87,7 @@ class FuzzTest : public QObject {
       const double acted_s = thread_s() - before_s;
       QTest::qWait(15);
       const double busy_s = std::max(acted_s, meter.longest_busy_s());
+      if (told_s > 0 && busy_s > told_s) qInfo("action %d, %s: %.3f s", n, qPrintable(id), busy_s);
       if (busy_s > worst_s) {
         worst_s = busy_s;
         worst = id;

@@ -29,9 +29,10 @@ PipelinePanel::PipelinePanel(Session& session, Visibility& visibility, const Sta
   headerItem()->setToolTip(cuts_column, tr("What slice and profile show"));
   setRootIsDecorated(false);
   header()->setMinimumSectionSize(10);
-  header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  header()->setSectionResizeMode(stage_column, QHeaderView::Stretch);
+  setUniformRowHeights(true);
   header()->setStretchLastSection(false);
+  header()->setSectionResizeMode(stage_column, QHeaderView::Stretch);
+  fit_columns(true);
   make_commands(commands);
   connect(&session_, &Session::document_replaced, this, &PipelinePanel::fill);
   connect(&states_, &StageStates::changed, this, &PipelinePanel::show_states);
@@ -39,32 +40,46 @@ PipelinePanel::PipelinePanel(Session& session, Visibility& visibility, const Sta
     for (int i = 0; i < topLevelItemCount(); ++i)
       if (id_of(topLevelItem(i)) == id) show_state(topLevelItem(i));
   });
-  connect(&visibility_, &Visibility::changed, this, [this] {
-    for (int i = 0; i < topLevelItemCount(); ++i) show_eyes(topLevelItem(i));
-  });
+  connect(&visibility_, &Visibility::changed, this,
+          [this] { for_all([this](QTreeWidgetItem* item) { show_eyes(item); }); });
   connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
     if (item) Q_EMIT stage_selected(id_of(item));
   });
   connect(this, &QTreeWidget::itemClicked, this, &PipelinePanel::click);
 }
 
+void PipelinePanel::fit_columns(bool on) {
+  for (const int column : {scene_column, cuts_column, state_column})
+    header()->setSectionResizeMode(column, on ? QHeaderView::ResizeToContents : QHeaderView::Fixed);
+}
+
+// Columns are measured once, not with each cell that changes.
+void PipelinePanel::for_all(const std::function<void(QTreeWidgetItem*)>& change) {
+  fit_columns(false);
+  for (int i = 0; i < topLevelItemCount(); ++i) change(topLevelItem(i));
+  fit_columns(true);
+}
+
 void PipelinePanel::fill() {
   const QString before = current_stage();
+  fit_columns(false);
   clear();
   for (const auto& node : session_.document().stages()) {
     auto* item = new QTreeWidgetItem(this);
     item->setText(stage_column, stage_title(session_.document(), node));
     item->setData(0, Qt::UserRole, QString::fromStdString(node.id));
     item->setToolTip(stage_column, stage_description(node));
-    show_eyes(item);
   }
-  show_states();
+  for_all([this](QTreeWidgetItem* item) {
+    show_eyes(item);
+    show_state(item);
+  });
   select_stage(before);
   if (!currentItem() && topLevelItemCount() > 0) setCurrentItem(topLevelItem(0));
 }
 
 void PipelinePanel::show_states() {
-  for (int i = 0; i < topLevelItemCount(); ++i) show_state(topLevelItem(i));
+  for_all([this](QTreeWidgetItem* item) { show_state(item); });
 }
 
 void PipelinePanel::show_state(QTreeWidgetItem* item) {
@@ -160,10 +175,10 @@ void PipelinePanel::fill_add_menu(QMenu& menu) {
 void PipelinePanel::changeEvent(QEvent* event) {
   QTreeWidget::changeEvent(event);
   if (event->type() != QEvent::PaletteChange || !session_.has_document()) return;
-  for (int i = 0; i < topLevelItemCount(); ++i) {
-    show_state(topLevelItem(i));
-    show_eyes(topLevelItem(i));
-  }
+  for_all([this](QTreeWidgetItem* item) {
+    show_state(item);
+    show_eyes(item);
+  });
 }
 
 void PipelinePanel::guarded(const std::function<void()>& act) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QTreeWidget>
+#include <functional>
 
 #include "document/session.h"
 #include "document/visibility.h"
@@ -41,6 +42,8 @@ class PipelinePanel : public QTreeWidget {
 
  private:
   void fill();
+  void fit_columns(bool on);
+  void for_all(const std::function<void(QTreeWidgetItem*)>& change);
   void show_states();
   void show_state(QTreeWidgetItem* item);
   void show_eyes(QTreeWidgetItem* item);
