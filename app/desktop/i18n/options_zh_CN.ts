@@ -2031,6 +2031,11 @@
             <translation>地图不透明度</translation>
         </message>
         <message>
+            <source>Terrain</source>
+            <comment>report.flythrough</comment>
+            <translation>地形</translation>
+        </message>
+        <message>
             <source>Map on terrain</source>
             <comment>report.flythrough</comment>
             <translation>地图随地形</translation>
