@@ -84,6 +84,31 @@ class PublishedFigures(unittest.TestCase):
         self.assertIn("0 of the 32 sets", text)
         self.assertIn("The others were not run", text)
 
+    def test_the_page_says_which_seeds_its_tables_leave_out(self):
+        module = bench()
+        run = {"seconds": 120, "errors": [[0.02, 0, 1, 10], [0, 0.01, -1, 20]], "ate_rmse": 0.02}
+        left_out = {("plot2", "loam_paper", 3): {"ended_early": True, "frames": 73}, ("plot3", "forest_paper", 2): {"other_axes": True}}
+        presets = ["loam", "loam_paper", "forest", "forest_paper"]
+        with tempfile.TemporaryDirectory() as folder:
+            work = pathlib.Path(folder)
+            for plot in module.PLOTS[:4]:
+                for preset in presets:
+                    for seed in (1, 2, 3):
+                        figures_of_run = {**run, **left_out.get((plot, preset, seed), {})}
+                        (work / f"{plot}-{seed}-{preset}-5hz.json").write_text(json.dumps(figures_of_run))
+            page = work / "page.md"
+            words = ["slam_tables.py", "--bole", "none", "--work", folder, "--rate", "5", "--plots", *module.PLOTS[:4], "--seeds", "1", "2", "3",
+                     "--presets", *presets, "--budget", "1e-9", "--page", str(page)]
+            with mock.patch.object(sys, "argv", words), contextlib.redirect_stdout(io.StringIO()):
+                self.assertEqual(module.main(), 0)
+            text = page.read_text()
+        self.assertIn("16 of the 16 sets", text)
+        self.assertIn("2 of them are in the tables with fewer seeds", text)
+        self.assertNotIn("The others were not run", text)
+        self.assertIn("| plot1, loam_paper | 6 |", text)
+        self.assertIn("| plot2, loam_paper | 4 |", text)
+        self.assertIn("| plot3, forest_paper | 4 |", text)
+
 
 if __name__ == "__main__":
     unittest.main()
